@@ -1,0 +1,1 @@
+"""The paper: mechanical systems, kinematic laws, sliding-mode control."""

@@ -1,0 +1,33 @@
+"""What a controller consists of: the routines a vehicle of that kind is emitted with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from derive.control.kinematic import KinematicLaw
+from derive.control.mechanics import definiteness, plant, residual
+from derive.control.sliding import reaching, tracking
+from derive.lie.group import Group
+from derive.routine.derivation import Derivation
+
+WRITERS = {"gsmc": (tracking, reaching), "reaching": (reaching,)}
+"""Controller -> its laws; the first is what `control` guards."""
+
+
+@dataclass(frozen=True)
+class Routines:
+    """The derivations of one vehicle: the guarded law, further public ones, and those inside."""
+
+    main: Derivation
+    public: tuple[Derivation, ...]
+    inner: tuple[Derivation, ...]
+
+
+def routines(
+    group: Group, law: KinematicLaw, controller: str, pattern: tuple[bool, ...]
+) -> Routines:
+    """Derive everything a vehicle of this group, law, controller and zero pattern needs."""
+    main, *others = (write(group, law, pattern) for write in WRITERS[controller])
+    bare = tuple(d.without("clearance") for d in others)
+    inner = (residual(group), definiteness(group, pattern))
+    return Routines(main, (*bare, plant(group, pattern)), inner)

@@ -1,0 +1,136 @@
+"""A mechanical system on a Lie group: its group and its inertia, and what they define.
+
+The inertia is kept symmetric, as symbols where the vehicle has a number and as zero where its
+pattern has a zero: every vehicle of one pattern shares one derivation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy import ImmutableMatrix, Matrix
+
+from derive.lie.group import Group
+from derive.routine.derivation import Derivation, Quantity
+
+ACCELERATION = "rad/s^2"
+FORCE = "N m"
+
+
+@dataclass(frozen=True)
+class MechanicalSystem:
+    """Configuration group and inertia tensor (n, n), symmetric; eq. (ELeq)."""
+
+    group: Group
+    inertia: ImmutableMatrix
+
+    @property
+    def dim(self) -> int:
+        """n, the dimension of the group."""
+        return self.group.dim
+
+    def flat(self, x: Matrix) -> Matrix:
+        """I x: velocity (n, 1) to momentum (n, 1)."""
+        return self.inertia * x
+
+    def sharp(self, a: Matrix) -> Matrix:
+        """I^-1 a, exactly: for proofs; routines solve with `solve` instead."""
+        return self.inertia.inv() * a
+
+    def connection(self, x: Matrix, y: Matrix) -> Matrix:
+        """Restriction of the Levi-Civita connection to the algebra, (n, 1); eq. (Rest)."""
+        coad, flat = self.group.coad, self.flat
+        return (self.group.bracket(x, y) - self.sharp(coad(x) * flat(y) + coad(y) * flat(x))) / 2
+
+    def pivots(self, d: Derivation) -> tuple[Matrix, Matrix]:
+        """Steps of I = L D L^T: unit lower triangular L (n, n) and pivots D (n, 1).
+
+        All pivots are positive if and only if the inertia is positive definite.
+        """
+        n = self.dim
+        lower, pivot = sympy.eye(n), sympy.zeros(n, 1)
+        for j in range(n):
+            left = sum((lower[j, k] ** 2 * pivot[k] for k in range(j)), sympy.S.Zero)
+            pivot[j] = d.let(f"pivot_{j}", self.inertia[j, j] - left, "kg m^2", "pivot of I")
+            for i in range(j + 1, n):
+                left = sum((lower[i, k] * lower[j, k] * pivot[k] for k in range(j)), sympy.S.Zero)
+                value = (self.inertia[i, j] - left) / pivot[j]
+                lower[i, j] = d.let(f"lower_{i}{j}", value, "1", "I = L D L^T, entry of L")
+        return lower, pivot
+
+    def solve(self, d: Derivation, a: Matrix) -> Matrix:
+        """Steps of x with I x = a, (n, 1), by the pivots; no inverse is formed."""
+        lower, pivot = self.pivots(d)
+        n = self.dim
+        x = list(a)
+        for i in range(n):
+            left = sum((lower[i, k] * x[k] for k in range(i)), sympy.S.Zero)
+            x[i] = d.let(f"forward_{i}", x[i] - left, FORCE, "forward substitution")
+        for i in reversed(range(n)):
+            left = sum((lower[k, i] * x[k] for k in range(i + 1, n)), sympy.S.Zero)
+            x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, ACCELERATION, "back substitution")
+        return Matrix(x)
+
+
+def symmetric(entries: Matrix, pattern: tuple[bool, ...]) -> ImmutableMatrix:
+    """Upper triangle by rows, n(n+1)/2 entries, to the matrix (n, n), zero where pattern is."""
+    n = next(n for n in range(1, len(pattern) + 1) if n * (n + 1) // 2 == len(pattern))
+    place = {
+        (i, j): k for k, (i, j) in enumerate((i, j) for i in range(n) for j in range(i, n))
+    }
+
+    def entry(i: int, j: int) -> Any:
+        k = place[min(i, j), max(i, j)]
+        return entries[k] if pattern[k] else 0
+
+    return ImmutableMatrix(n, n, entry)
+
+
+def take_system(d: Derivation, group: Group, pattern: tuple[bool, ...]) -> MechanicalSystem:
+    """Declare the inertia as an input of d and make the system of it."""
+    size = len(pattern)
+    doc = "inertia, upper triangle, row by row"
+    inertia = d.take(Quantity("inertia", size, "kg m^2", doc, "", False, "params", "inertia"))
+    return MechanicalSystem(group, symmetric(inertia, pattern))
+
+
+def plant(group: Group, pattern: tuple[bool, ...]) -> Derivation:
+    """Euler-Poincare: I nu' = coad(nu) I nu + force; eq. (EulerP)."""
+    d = Derivation("plant", "acceleration under a force, Euler-Poincare", "eq. (EulerP)")
+    n = group.dim
+    system = take_system(d, group, pattern)
+    nu = d.take(Quantity("nu", n, group.units[0], "body velocity", "", False, "state", "nu"))
+    force = d.take(Quantity("force", n, FORCE, "applied force", "", False, "", "force"))
+    momentum = d.let("momentum", system.flat(nu), "N m s", "I nu")
+    total = d.let("total", group.coad(nu) * momentum + force, FORCE, "coad(nu) I nu + force")
+    nu_dot = system.solve(d, total)
+    output = Quantity("nu_dot", n, ACCELERATION, "body acceleration", "", False, "", "nu_dot")
+    d.give(output, nu_dot)
+    return d.pruned()
+
+
+def definiteness(group: Group, pattern: tuple[bool, ...]) -> Derivation:
+    """Pivots of the inertia: all positive if and only if it is positive definite."""
+    d = Derivation("definiteness", "pivots of the inertia: all positive for a valid one", "")
+    system = take_system(d, group, pattern)
+    _, pivot = system.pivots(d)
+    output = Quantity("pivot", group.dim, "kg m^2", "pivots of I", "", False, "", "pivot")
+    d.give(output, pivot)
+    return d.pruned()
+
+
+def residual(group: Group) -> Derivation:
+    """How far stored numbers are from the group: every number vanishes on it, and only there."""
+    d = Derivation("residual", "distance of stored numbers from the group", "")
+    size = len(group.identity)
+    g = d.take(Quantity("g", size, "1", "configuration", "", False, "", "g"))
+    value = group.residual(g)
+    output = Quantity("residual", len(value), "1", "vanishes on the group", "", False, "", "residual")
+    d.give(output, d.let("off", value, "1", "deviation from the group"))
+    return d.pruned()
+
+
+Builder = Callable[[Group, tuple[bool, ...]], Derivation]

@@ -1,0 +1,146 @@
+"""Exact expression to source text, in one language and one precision.
+
+Two dialects differ in how they spell a root, an absolute value, a kernel call and a
+condition; precedence, signs and the order of terms are the same, so C and numpy round alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy
+from sympy import Expr
+
+from derive.emit.literal import c_literal, decimal
+from derive.emit.target import TINY
+from derive.lie.kernel import NAMES, Arc
+from derive.lie.kernel import TINY as TINY_SYMBOL
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """How one target spells what differs between languages; each takes printed text."""
+
+    scalar: str
+    number: Callable[[Fraction, str], str]
+    root: str
+    absolute: str
+    kernel: str
+    compared: str
+    both: str
+
+
+def c99(scalar: str, prefix: str) -> Dialect:
+    """C99 in one precision; kernel functions carry the prefix."""
+    suffix = "f" if scalar == "f32" else ""
+    absolute = f"fabs{suffix}({{}})"
+    kernel = f"{prefix}_{{name}}({{}})"
+    return Dialect(scalar, c_literal, f"sqrt{suffix}({{}})", absolute, kernel, "{}", " && ")
+
+
+def numpy() -> Dialect:
+    """numpy in double precision; conditions look at real parts, so a complex step runs through."""
+    absolute = "np.where({0}.real < 0.0, -{0}, {0})"
+    return Dialect("f64", decimal, "np.sqrt({})", absolute, "_{name}({})", "{}.real", " & ")
+
+
+def text(value: Expr, dialect: Dialect) -> str:
+    """One expression as source text."""
+    if value.is_Symbol:
+        return _symbol(value, dialect)
+    if value.is_Rational:
+        return dialect.number(Fraction(value.p, value.q), dialect.scalar)
+    for kind, rule in _RULES:
+        if isinstance(value, kind):
+            return rule(value, dialect)
+    raise TypeError(f"no rule prints {type(value).__name__}: {value}")
+
+
+def _symbol(value: Expr, dialect: Dialect) -> str:
+    if value == TINY_SYMBOL:
+        return dialect.number(TINY[dialect.scalar], dialect.scalar)
+    return str(value)
+
+
+def _pi(value: Expr, dialect: Dialect) -> str:
+    return dialect.number(Fraction(str(value.evalf(30))), dialect.scalar)
+
+
+def _sum(value: Expr, dialect: Dialect) -> str:
+    content, rest = value.primitive()
+    terms = [_signed(term) for term in rest.args]
+    if all(is_negative for is_negative, _ in terms):
+        content, terms = -content, [(False, term) for _, term in terms]
+    if content == -1:
+        return f"-({_joined(terms, dialect)})"
+    if content != 1:
+        return f"{text(content, dialect)}*({_joined(terms, dialect)})"
+    return _joined(terms, dialect)
+
+
+def _joined(terms: list[tuple[bool, Expr]], dialect: Dialect) -> str:
+    """Terms with their signs between them, a positive one first."""
+    first = next(i for i, (is_negative, _) in enumerate(terms) if not is_negative)
+    terms.insert(0, terms.pop(first))
+    parts = [("- " if is_negative else "+ ") + text(term, dialect) for is_negative, term in terms]
+    return " ".join(parts)[2:]
+
+
+def _signed(term: Expr) -> tuple[bool, Expr]:
+    return (True, -term) if term.could_extract_minus_sign() else (False, term)
+
+
+def _product(value: Expr, dialect: Dialect) -> str:
+    is_negative, value = _signed(value)
+    over, under = value.as_numer_denom()
+    line = "*".join(_factor(f, dialect) for f in sympy.Mul.make_args(over))
+    if under != 1:
+        below = "*".join(_factor(f, dialect) for f in sympy.Mul.make_args(under))
+        line += f"/({below})" if isinstance(under, sympy.Mul) else f"/{below}"
+    return f"-{line}" if is_negative else line
+
+
+def _factor(value: Expr, dialect: Dialect, *alone: type) -> str:
+    if isinstance(value, (sympy.Add, *alone)) or value.is_negative:
+        return f"({text(value, dialect)})"
+    return text(value, dialect)
+
+
+def _power(value: Expr, dialect: Dialect) -> str:
+    base, exponent = value.args
+    if exponent == sympy.S.Half:
+        return dialect.root.format(text(base, dialect))
+    if exponent.is_Integer and exponent > 0:
+        return "*".join([_factor(base, dialect)] * int(exponent))
+    return _product(value, dialect)
+
+
+def _kernel(value: Expr, dialect: Dialect) -> str:
+    order, w = value.args
+    return dialect.kernel.format(text(w, dialect), name=NAMES[int(order)])
+
+
+def condition(value: sympy.Basic, dialect: Dialect) -> str:
+    """A comparison or a conjunction of comparisons as source text."""
+    if isinstance(value, sympy.And):
+        ordered = sorted(value.args, key=sympy.default_sort_key)
+        return dialect.both.join(f"({condition(one, dialect)})" for one in ordered)
+    left, right = (_compared(side, dialect) for side in (value.lhs, value.rhs))
+    return f"{left} {value.rel_op} {right}"
+
+
+def _compared(side: Expr, dialect: Dialect) -> str:
+    line = text(side, dialect)
+    return line if side.is_Rational else dialect.compared.format(line)
+
+
+_RULES: tuple[tuple[type, Callable[[Expr, Dialect], str]], ...] = (
+    (sympy.Add, _sum),
+    (sympy.Mul, _product),
+    (sympy.Pow, _power),
+    (Arc, _kernel),
+    (sympy.Abs, lambda v, dialect: dialect.absolute.format(text(v.args[0], dialect))),
+    (type(sympy.pi), _pi),
+)

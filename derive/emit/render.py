@@ -1,0 +1,176 @@
+"""Printed routines and a vehicle's values in, {path: text} out. Nothing is written here."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from derive.emit.literal import c_literal, decimal, python_name
+from derive.emit.target import SCALARS, TARGETS, Target
+
+WIDTH = 100
+
+
+@cache
+def environment() -> jinja2.Environment:
+    """The template loader: beside the package in a checkout, inside it in a wheel."""
+    package = Path(__file__).parent.parent
+    folder = next(f for f in (package / "_templates", package.parent / "templates") if f.is_dir())
+    env = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(folder),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    env.filters.update(
+        fold=fold,
+        assign=assign,
+        comment=comment,
+        sentence=sentence,
+        batched=batched,
+        python_name=python_name,
+        pack=pack,
+        leading=leading,
+    )
+    return env
+
+
+def fold(line: str, then: int | str) -> str:
+    """Break a long line at spaces; `then` is the indent of the lines that follow, or its width."""
+    indent = then if isinstance(then, str) else " " * then
+    return textwrap.fill(
+        line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def pack(items: list[str], head: str) -> str:
+    """A C declaration of several names, broken only between them."""
+    line = head + ", ".join(item.replace(" ", "\0") for item in items) + ";"
+    return fold(line, 8).replace("\0", " ")
+
+
+def leading(term: list[str]) -> str:
+    """The first term of a polynomial, its sign written only when negative."""
+    sign, number = term
+    return f"-{number}" if sign == "-" else number
+
+
+def assign(name: str, value: str) -> str:
+    """A Python assignment inside a function, in parentheses where it needs several lines."""
+    line = f"    {name} = {value}"
+    if len(line) <= WIDTH:
+        return line
+    inner = fold(f"        {value}", 8)
+    return f"    {name} = (\n{inner}\n    )"
+
+
+def comment(quantity: Mapping[str, Any]) -> str:
+    """What a quantity is, in one line: name, sentence, unit, equation."""
+    source = f", {quantity['source']}" if quantity["source"] else ""
+    return f"{quantity['name']}: {quantity['doc']} [{quantity['unit']}]{source}"
+
+
+def sentence(text: str) -> str:
+    """First letter upper, full stop at the end."""
+    return f"{text[0].upper()}{text[1:]}."
+
+
+def batched(shape: list[int]) -> str:
+    """A shape over leading axes, as docstrings write it."""
+    return f"(..., {', '.join(map(str, shape))})"
+
+
+def render(target: Target, printed: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, str]:
+    """Every file of one target.
+
+    printed: {scalar: {"name", "routines", "kernels", ...}} as the pipeline prints and keeps it
+    values:  name, scalars, inertia (upper triangle) and gains of a vehicle, exact
+    """
+    texts: dict[str, str] = {}
+    for scalar in target.scalars:
+        if scalar not in printed:
+            continue
+        context = {**printed[scalar], **_values(scalar, target, values)}
+        for file in target.files:
+            path = file.path.format(name=values["name"], scalar=scalar)
+            texts[path] = environment().get_template(file.template).render(context)
+    return texts
+
+
+def _values(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str, Any]:
+    number = c_literal if target.name == "c99" else decimal
+    kind = SCALARS[scalar]
+    prefix = f"{values['name']}_{scalar}"
+
+    def text(value: Fraction) -> str:
+        return number(value, scalar)
+
+    return {
+        "vehicle": values["name"],
+        "prefix": prefix,
+        "macro": prefix.upper(),
+        "scalar": kind,
+        "constants": [(name, text(value), doc) for name, value, doc in kind.constants()],
+        "inertia": [text(value) for value in values["inertia"]],
+        "gains": [(name, text(value)) for name, value in values["gains"]],
+        "number": text,
+    }
+
+
+def manifest(version: str, values: Mapping[str, Any], costs: Mapping[str, Any],
+             texts: Mapping[str, str]) -> str:  # fmt: skip
+    """MANIFEST.toml: what wrote the folder, what it costs, and the hash of every file."""
+    hashes = {path: sha256(text.encode()).hexdigest() for path, text in sorted(texts.items())}
+    template = environment().get_template("package/MANIFEST.toml.jinja")
+    return template.render(version=version, values=values, costs=costs, hashes=hashes)
+
+
+def trace(printed: Mapping[str, Any], texts: Mapping[str, str]) -> str:
+    """trace.csv: paper equation, routine, step, file, first and last line of its code."""
+    rows = ["equation,routine,step,file,first_line,last_line"]
+    equations = _equations(printed)
+    for path, text in sorted(texts.items()):
+        rows += [
+            f"{equations.get((routine, step), '')},{routine},{step},{path},{first},{last}"
+            for routine, step, first, last in _located(text)
+        ]
+    return "\n".join(rows) + "\n"
+
+
+def _equations(printed: Mapping[str, Any]) -> dict[tuple[str, str], str]:
+    return {
+        (routine["name"], step["name"]): step["source"] or routine["source"]
+        for routine in printed["routines"]
+        for step in routine["steps"]
+    }
+
+
+def _located(text: str) -> list[tuple[str, str, int, int]]:
+    """(routine, step, first line, last line) of every step, found by its marking comment."""
+    found: list[tuple[str, str, int, int]] = []
+    routine = ""
+    for number, line in enumerate(text.splitlines(), 1):
+        begins = re.match(r"\s*(?:/\*|#) -- (\w+) --", line)
+        marks = re.match(r"\s*(?:/\*|#) (\w+): .*\[", line)
+        if begins:
+            routine = begins[1] if begins[1] != "end" else ""
+        elif marks and routine:
+            found.append((routine, marks[1], number, number))
+        elif found and routine and line.strip():
+            found[-1] = (*found[-1][:3], number)
+    return found
+
+
+def targets(names: tuple[str, ...]) -> list[Target]:
+    """The targets of that name, in the order of the table."""
+    return [target for name, target in TARGETS.items() if name in names]

@@ -1,0 +1,1 @@
+"""What a group is: a basis, from which hat, vee, ad, Ad and coad follow."""

@@ -1,0 +1,127 @@
+"""From stored numbers to the unit quaternion (w, v), without threshold and without 0/0.
+
+Both routes end in named steps. `let` is handed in by whoever writes the derivation, so this
+layer knows the formulas and not what a derivation is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy import Matrix, Piecewise, pi, sqrt
+
+from derive.lie.kernel import TINY, H, K
+
+Let = Callable[..., Any]
+"""let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
+
+
+MARKLEY = "polar factor of Markley and Bar-Itzhack"
+
+
+@dataclass(frozen=True)
+class Cover:
+    """The unit quaternion of an error, scalar w = cos(angle/2) and vector v (3, 1)."""
+
+    w: sympy.Symbol
+    v: Matrix
+
+    def rate(self, let: Let, nu: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
+        """Rates along q' = q (0, nu) / 2 with body velocity nu (3, 1) in rad/s."""
+        w, v, unit = self.w, self.v, "1/s"
+        w_dot = let("w_dot", -v.dot(nu) / 2, unit, "rate of w, -v.nu_e/2")
+        v_dot = let("v_dot", (w * nu + v.cross(nu)) / 2, unit, "rate of v, (w nu_e + v x nu_e)/2")
+        return {w: w_dot, **dict(zip(v, v_dot, strict=True))}
+
+
+def choose(*cases: tuple[Matrix, Any]) -> Matrix:
+    """The first matrix whose condition holds, entry by entry; the last condition is True."""
+    columns = zip(*(value for value, _ in cases), strict=True)
+    conditions = [condition for _, condition in cases]
+    return Matrix(
+        [Piecewise(*zip(column, conditions, strict=True), evaluate=False) for column in columns]
+    )
+
+
+def of_rotation(let: Let, stored: Matrix) -> Cover:
+    """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
+
+    B = 4 q q^T for a rotation. The column of the largest diagonal entry, multiplied once more
+    by B, is q up to a factor in [4, 16]: one power step damps what is not orthonormal.
+    At angle pi the column chosen makes the largest |v_i| positive, the first index wins.
+    """
+    B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 q q^T, packed by rows", MARKLEY)
+    B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
+    columns = [B[:, j] for j in range(4)]
+    d = [B[j, j] for j in range(4)]
+    column = let(
+        "column",
+        choose(
+            (columns[0], d[0] >= 1),
+            (columns[1], sympy.And(d[1] >= d[2], d[1] >= d[3])),
+            (columns[2], d[2] >= d[3]),
+            (columns[3], True),
+        ),
+        "1",
+        "a column of B that cannot vanish",
+    )
+    power = let("power", B * column, "1", "the column after one power step")
+    norm = let("norm", sqrt(power.dot(power) + TINY), "1", "its length")
+    signed = Piecewise((-1 / norm, power[0] < 0), (1 / norm, True), evaluate=False)
+    scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
+    w = let("w", power[0] * scale, "1", "cos of half the error angle")
+    v = let("v", power[1:, :] * scale, "1", "sin of half the error angle times its axis")
+    _half(let, w)
+    return Cover(w, v)
+
+
+def of_quaternion(let: Let, stored: Matrix) -> Cover:
+    """Unit quaternion of stored numbers q (4, 1), scalar first, its sign kept."""
+    norm = let("norm", sqrt(stored.dot(stored) + TINY), "1", "length of the quaternion")
+    scale = let("scale", 1 / norm, "1", "to unit length")
+    w = let("w", stored[0] * scale, "1", "cos of half the error angle")
+    v = let("v", stored[1:, :] * scale, "1", "sin of half the error angle times its axis")
+    _full(let, w, v)
+    return Cover(w, v)
+
+
+def _half(let: Let, w: sympy.Expr) -> None:
+    """Kernel for w in [0, 1]: k by its polynomial, h by the identity s^2 h = 1 - w k."""
+    k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
+    _divided(let, (1 - w) * (1 + w), w, k)
+
+
+def _full(let: Let, w: sympy.Expr, v: Matrix) -> None:
+    """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w); at -i, v = 0 makes the law 0."""
+    near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
+    s = let("sine", sqrt(v.dot(v)), "1", "|v|")
+    far = pi / (s + TINY) - near
+    value = Piecewise((near, w >= 0), (far, True), evaluate=False)
+    k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
+    _divided(let, v.dot(v), w, k)
+
+
+def _divided(let: Let, square: sympy.Expr, w: sympy.Expr, k: sympy.Expr) -> None:
+    """h from s^2: where s is small the quotient is rough, and so little that none sees it."""
+    quotient = (1 - w * k) / (square + TINY)
+    let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
+
+
+def _quadruple(R: Matrix) -> Matrix:
+    """Upper triangle, by rows, of 4 q q^T from a rotation R (3, 3)."""
+    x, y, z = R[0, 0], R[1, 1], R[2, 2]
+    return Matrix(
+        [
+            1 + (x + y + z), R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1],
+            1 + (x - y - z), R[0, 1] + R[1, 0], R[0, 2] + R[2, 0],
+            1 + (y - x - z), R[1, 2] + R[2, 1],
+            1 + (z - x - y),
+        ]
+    )  # fmt: skip
+
+
+def _packed(i: int, j: int) -> int:
+    return i * (9 - i) // 2 + j - i if i else j

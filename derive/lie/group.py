@@ -1,0 +1,102 @@
+"""A matrix Lie group as data: a basis of its algebra and how its elements are stored.
+
+Everything else (hat, vee, bracket, ad, Ad, coad) follows from the basis, here and only here.
+Velocities are body velocities (left invariance): g' = g hat(nu).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy
+from sympy import ImmutableMatrix, Matrix
+
+from derive.lie.cover import Cover, Let
+
+
+@dataclass(frozen=True)
+class Group:
+    """A group G of m x m matrices with n-dimensional algebra, elements kept as k numbers.
+
+    name:     as written in a vehicle file
+    basis:    n matrices (m, m), exact: the coordinates of the algebra
+    units:    n units of the velocity's coordinates
+    identity: the k stored numbers of e
+    embed:    k stored numbers -> element (m, m)
+    store:    element (m, m) -> k stored numbers (k, 1)
+    inverse:  element -> element
+    residual: stored numbers -> expressions that all vanish on the group, and only there
+    cover:    writes the steps that lead from stored numbers to the unit quaternion
+    storage:  the stored numbers in words
+    shape:    their shape in numpy
+    is_rotation: its velocities are angular rates of a body in space
+    short_Ad: optional shorter formula for Ad, held to the definition by a test
+    """
+
+    name: str
+    basis: tuple[ImmutableMatrix, ...]
+    units: tuple[str, ...]
+    identity: tuple[int, ...]
+    embed: Callable[[Matrix], Matrix]
+    store: Callable[[Matrix], Matrix]
+    inverse: Callable[[Matrix], Matrix]
+    residual: Callable[[Matrix], Matrix]
+    cover: Callable[[Let, Matrix], Cover]
+    storage: str
+    shape: tuple[int, ...]
+    is_rotation: bool = False
+    short_Ad: Callable[[Matrix], Matrix] | None = None
+
+    @property
+    def dim(self) -> int:
+        """n, the dimension of the algebra."""
+        return len(self.basis)
+
+    @cached_property
+    def _left_inverse(self) -> Matrix:
+        stacked = Matrix.hstack(*(Matrix(e.reshape(e.rows * e.cols, 1)) for e in self.basis))
+        gram = stacked.T * stacked
+        if gram.det() == 0:
+            raise ValueError(f"{self.name}: the basis matrices are linearly dependent")
+        return gram.inv() * stacked.T
+
+    def hat(self, x: Matrix) -> Matrix:
+        """Algebra coordinates (n, 1) to matrix (m, m): hat(x) = sum x_i E_i."""
+        m = self.basis[0].rows
+        return sum((x[i] * e for i, e in enumerate(self.basis)), sympy.zeros(m, m))
+
+    def vee(self, a: Matrix) -> Matrix:
+        """Matrix of the algebra (m, m) to coordinates (n, 1): vee(hat(x)) = x."""
+        return self._left_inverse * Matrix(a).reshape(a.rows * a.cols, 1)
+
+    @cached_property
+    def structure(self) -> tuple[ImmutableMatrix, ...]:
+        """Structure constants: column j of the i-th matrix is vee [E_i, E_j], (n, n) each."""
+        brackets = [[self.vee(a * b - b * a) for b in self.basis] for a in self.basis]
+        return tuple(ImmutableMatrix(Matrix.hstack(*row)) for row in brackets)
+
+    def bracket(self, x: Matrix, y: Matrix) -> Matrix:
+        """[x, y] in coordinates (n, 1): hat([x, y]) = hat(x) hat(y) - hat(y) hat(x)."""
+        return self.ad(x) * y
+
+    def ad(self, x: Matrix) -> Matrix:
+        """ad_x, (n, n): ad_x y = [x, y]."""
+        zero = sympy.zeros(self.dim, self.dim)
+        return sum((x[i] * c for i, c in enumerate(self.structure)), zero)
+
+    def coad(self, x: Matrix) -> Matrix:
+        """ad*_x, (n, n), in the paper's sign: <ad*_x a; y> = <a; [x, y]>."""
+        return self.ad(x).T
+
+    def Ad(self, g: Matrix) -> Matrix:
+        """Ad_g, (n, n), of an element g (m, m): hat(Ad_g x) = g hat(x) g^-1."""
+        if self.short_Ad:
+            return self.short_Ad(g)
+        return self.long_Ad(g)
+
+    def long_Ad(self, g: Matrix) -> Matrix:
+        """Ad_g by its definition, column by column."""
+        back = self.inverse(g)
+        return Matrix.hstack(*(self.vee(g * e * back) for e in self.basis))

@@ -1,0 +1,1 @@
+"""A derivation as data: named steps, their exact rates, their cost."""
