@@ -1,5 +1,7 @@
 """What `derive init` writes: a commented vehicle file that loads as it stands."""
 
+from pathlib import Path
+
 from derive.control.table import CONTROLLERS
 from derive.vehicle import (
     DEFAULT_CONTROLLER,
@@ -7,6 +9,8 @@ from derive.vehicle import (
     SCALARS,
     SCHEMA,
     TARGETS,
+    InputError,
+    check_law,
     laws_on,
     look_up,
 )
@@ -42,21 +46,45 @@ targets = {targets}
 """
 
 
-def starter(name: str, group: str) -> str:
-    """Text of a vehicle file for a group; raises InputError for a bad name or unknown group."""
+def write(name: str, group: str, law: str | None = None) -> Path:
+    """Write ./NAME.toml and return its path; raises InputError, also when it is there already."""
+    text = starter(name, group, law)
+    path = Path(f"{name}.toml")
+    expected = "a new file in a folder that can be written to"
+    try:
+        _create(path, text)
+    except FileExistsError:
+        remedy = "choose another name, or move that file away: it is never overwritten"
+        raise InputError(str(path), "", expected, "a file of that name", remedy) from None
+    except OSError as fault:
+        remedy = "change to another folder, or mend its permissions"
+        found = fault.strerror or str(fault)
+        raise InputError(str(path), "", expected, found, remedy) from fault
+    return path
+
+
+def _create(path: Path, text: str) -> None:
+    """A new file, whole; OSError, and then none."""
+    with path.open("x", encoding="utf-8") as file:
+        try:
+            file.write(text)
+            file.flush()
+        except OSError:
+            path.unlink()
+            raise
+
+
+def starter(name: str, group: str, law: str | None = None) -> str:
+    """Text of a vehicle file; raises InputError for a bad name, an unknown group or its law."""
     check_name(COMMAND, name)
-    law, moments, about = DEFAULT_LAW, CUBESAT, "These are a 3U CubeSat's: 4 kg, 10 x 10 x 34 cm."
-    if group not in ROTATIONS:
-        facts, laws = look_up(COMMAND, group), laws_on(group)
-        law = law if law in laws else laws[0]
-        if not (facts.is_rotation and facts.dim == len(CUBESAT)):
-            moments = tuple(f"{1 + place / 10:.1f}" for place in range(facts.dim))
-            about = "Rotation before translation (kg m^2, then kg m and kg). These hold a place."
+    usual, moments, about = _place_holders(group)
+    if law is not None:
+        check_law(COMMAND, group, law)
     return TEMPLATE.format(
         name=name,
         schema=SCHEMA,
         group=group,
-        law=law,
+        law=law or usual,
         controller=DEFAULT_CONTROLLER,
         controllers=", ".join(CONTROLLERS),
         about=about,
@@ -65,6 +93,18 @@ def starter(name: str, group: str) -> str:
         scalars=_array(SCALARS),
         targets=_array(TARGETS),
     )
+
+
+def _place_holders(group: str) -> tuple[str, tuple[str, ...], str]:
+    """The usual law on a group, moments to start from, and what they are."""
+    law, moments, about = DEFAULT_LAW, CUBESAT, "These are a 3U CubeSat's: 4 kg, 10 x 10 x 34 cm."
+    if group not in ROTATIONS:
+        facts, laws = look_up(COMMAND, group), laws_on(group)
+        law = law if law in laws else laws[0]
+        if not (facts.is_rotation and facts.dim == len(CUBESAT)):
+            moments = tuple(f"{1 + place / 10:.1f}" for place in range(facts.dim))
+            about = "Rotation before translation (kg m^2, then kg m and kg). These hold a place."
+    return law, moments, about
 
 
 def _diagonal(moments: tuple[str, ...]) -> str:

@@ -119,10 +119,15 @@ def check_facts(vehicle: Vehicle, facts: Facts) -> None:
 
 def resolve(vehicle: Vehicle) -> Facts:
     """Look up group and law, whose modules are imported only here; raises InputError."""
+    facts = look_up(vehicle.source, vehicle.group)
+    check_law(vehicle.source, vehicle.group, vehicle.law)
+    return facts
+
+
+def check_law(file: str, group: str, law: str) -> None:
+    """Raise InputError unless the law exists on that group, which is known."""
     from derive.control.kinematic import LAWS
 
-    facts = look_up(vehicle.source, vehicle.group)
-    file, group, law = vehicle.source, vehicle.group, vehicle.law
     there = laws_on(group)
     if law not in there:
         expected, found, remedy = _unknown("law", law, there)
@@ -130,7 +135,6 @@ def resolve(vehicle: Vehicle) -> Facts:
         if elsewhere:
             found = f"{quoted(law)}, which exists only on {', '.join(elsewhere)}"
         raise InputError(file, "law", f"{expected} (the laws that exist on {group})", found, remedy)
-    return facts
 
 
 def look_up(file: str, group: str) -> Facts:

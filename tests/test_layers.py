@@ -18,10 +18,12 @@ LAYER = {
     "derive.vehicle_check": "derive.vehicle",
     "derive.vehicle_text": "derive.vehicle",
     "derive.starter": "derive.vehicle",
+    "derive.cache": "derive.pipeline",
+    "derive.folder": "derive.pipeline",
 }
 """Top-level modules that belong to the layer of another."""
 
-VEHICLE = ("derive.vehicle", *LAYER)
+VEHICLE = ("derive.vehicle", *(one for one, layer in LAYER.items() if layer == "derive.vehicle"))
 OWN = {
     "derive": ("derive.vehicle", "derive.lie", "derive.control", "derive.routine"),
     "derive.__main__": ("derive.cli",),
@@ -49,6 +51,7 @@ ORACLES = ("derive.verify.truth", "derive.verify.precise", "derive.verify.casadi
 THIRD_PARTY = {
     "derive.lie": ("sympy",),
     "derive.lie.kernel": ("sympy", "mpmath"),
+    "derive.lie.minimax": ("mpmath",),
     "derive.routine": ("sympy",),
     "derive.control": ("sympy",),
     "derive.control.table": (),

@@ -78,9 +78,7 @@ class MechanicalSystem:
 def symmetric(entries: Matrix, pattern: tuple[bool, ...]) -> ImmutableMatrix:
     """Upper triangle by rows, n(n+1)/2 entries, to the matrix (n, n), zero where pattern is."""
     n = next(n for n in range(1, len(pattern) + 1) if n * (n + 1) // 2 == len(pattern))
-    place = {
-        (i, j): k for k, (i, j) in enumerate((i, j) for i in range(n) for j in range(i, n))
-    }
+    place = {(i, j): k for k, (i, j) in enumerate((i, j) for i in range(n) for j in range(i, n))}
 
     def entry(i: int, j: int) -> Any:
         k = place[min(i, j), max(i, j)]
@@ -93,7 +91,7 @@ def take_system(d: Derivation, group: Group, pattern: tuple[bool, ...]) -> Mecha
     """Declare the inertia as an input of d and make the system of it."""
     size = len(pattern)
     doc = "inertia, upper triangle, row by row"
-    inertia = d.take(Quantity("inertia", size, "kg m^2", doc, "", False, "params", "inertia"))
+    inertia = d.take(Quantity("inertia", size, "kg m^2", doc, place="params.inertia"))
     return MechanicalSystem(group, symmetric(inertia, pattern))
 
 
@@ -102,12 +100,12 @@ def plant(group: Group, pattern: tuple[bool, ...]) -> Derivation:
     d = Derivation("plant", "acceleration under a force, Euler-Poincare", "eq. (EulerP)")
     n = group.dim
     system = take_system(d, group, pattern)
-    nu = d.take(Quantity("nu", n, group.units[0], "body velocity", "", False, "state", "nu"))
-    force = d.take(Quantity("force", n, FORCE, "applied force", "", False, "", "force"))
+    nu = d.take(Quantity("nu", n, group.units[0], "body velocity", place="state.nu"))
+    force = d.take(Quantity("force", n, FORCE, "applied force", place="force"))
     momentum = d.let("momentum", system.flat(nu), "N m s", "I nu")
     total = d.let("total", group.coad(nu) * momentum + force, FORCE, "coad(nu) I nu + force")
     nu_dot = system.solve(d, total)
-    output = Quantity("nu_dot", n, ACCELERATION, "body acceleration", "", False, "", "nu_dot")
+    output = Quantity("nu_dot", n, ACCELERATION, "body acceleration", place="nu_dot")
     d.give(output, nu_dot)
     return d.pruned()
 
@@ -117,7 +115,7 @@ def definiteness(group: Group, pattern: tuple[bool, ...]) -> Derivation:
     d = Derivation("definiteness", "pivots of the inertia: all positive for a valid one", "")
     system = take_system(d, group, pattern)
     _, pivot = system.pivots(d)
-    output = Quantity("pivot", group.dim, "kg m^2", "pivots of I", "", False, "", "pivot")
+    output = Quantity("pivot", group.dim, "kg m^2", "pivots of I", place="pivot")
     d.give(output, pivot)
     return d.pruned()
 
@@ -126,10 +124,10 @@ def residual(group: Group) -> Derivation:
     """How far stored numbers are from the group: every number vanishes on it, and only there."""
     d = Derivation("residual", "distance of stored numbers from the group", "")
     size = len(group.identity)
-    g = d.take(Quantity("g", size, "1", "configuration", "", False, "", "g"))
+    g = d.take(Quantity("g", size, "1", "configuration", place="g"))
     value = group.residual(g)
-    output = Quantity("residual", len(value), "1", "vanishes on the group", "", False, "", "residual")
-    d.give(output, d.let("off", value, "1", "deviation from the group"))
+    off = d.let("off", value, "1", "deviation from the group")
+    d.give(Quantity("residual", len(value), "1", "vanishes on the group", place="residual"), off)
     return d.pruned()
 
 

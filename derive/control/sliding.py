@@ -72,15 +72,15 @@ def _finish(
     momentum = d.let("momentum", system.flat(nu), "N m s", "I nu")
     force = system.group.coad(turning) * momentum + system.flat(wanted)
     force = d.let("force", force, FORCE, "control force, I f_u", d.source)
-    for name, value, unit, doc in (
+    for name, value, of, doc in (
         ("force", force, FORCE, "control force"),
         ("s", s, unit, "sliding variable"),
         ("nu_u", nu_u, "rad", "kinematic law"),
         ("nu_u_dot", nu_u_dot, "rad/s", "its exact rate"),
     ):
-        d.give(Quantity(name, n, unit, doc, "", False, "command", name), value)
+        d.give(Quantity(name, n, of, doc, place=f"command.{name}"), value)
     near = "distance from the cut locus of the law"
-    d.give(Quantity("clearance", 1, "1", near, "", True, "", "clearance"), clearance)
+    d.give(Quantity("clearance", 1, "1", near, is_scalar=True, place="clearance"), clearance)
     return d.pruned()
 
 
@@ -88,26 +88,26 @@ def _parameters(
     d: Derivation, group: Group, pattern: tuple[bool, ...]
 ) -> tuple[MechanicalSystem, Any, Any]:
     system = take_system(d, group, pattern)
-    lambda_ = Quantity("rate_gain", 1, "1/s", "sliding rate", "", True, "params", "lambda")
-    k_s = Quantity("reach_gain", 1, "1/s", "reaching rate", "", True, "params", "k_s")
+    lambda_ = Quantity("rate_gain", 1, "1/s", "sliding rate", is_scalar=True, place="params.lambda")
+    k_s = Quantity("reach_gain", 1, "1/s", "reaching rate", is_scalar=True, place="params.k_s")
     return system, d.take(lambda_), d.take(k_s)
 
 
 def _state(d: Derivation, group: Group) -> tuple[Matrix, Matrix]:
     g = _configuration(d, group, "g", "configuration", "state")
-    nu = Quantity("nu", group.dim, group.units[0], "body velocity", "", False, "state", "nu")
+    nu = Quantity("nu", group.dim, group.units[0], "body velocity", place="state.nu")
     return g, d.take(nu)
 
 
 def _configuration(d: Derivation, group: Group, name: str, doc: str, holder: str) -> Matrix:
     size = len(group.identity)
     doc = f"{doc}: {group.storage}"
-    return d.take(Quantity(name, size, "1", doc, "", False, holder, "g"))
+    return d.take(Quantity(name, size, "1", doc, place=f"{holder}.g"))
 
 
 def _velocity(d: Derivation, group: Group, name: str, doc: str, member: str) -> Matrix:
     unit = ACCELERATION if member == "nu_dot" else group.units[0]
-    return d.take(Quantity(name, group.dim, unit, doc, "", False, "reference", member))
+    return d.take(Quantity(name, group.dim, unit, doc, place=f"reference.{member}"))
 
 
 def _matrix(d: Derivation, name: str, value: Matrix, doc: str) -> Matrix:

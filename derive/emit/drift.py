@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import zip_longest
 
+LONGEST = 200  # characters of a line that are shown
+
 
 @dataclass(frozen=True)
 class Drift:
-    """One path that is not as derived: line 0 when the file is missing or unknown."""
+    """One path that is not as derived: line 0 when the file is missing or unknown.
+
+    expected and found are lines as they can be shown anywhere.
+    """
 
     path: str
     line: int
@@ -31,6 +37,23 @@ def compare(expected: Mapping[str, str], found: Mapping[str, str]) -> list[Drift
 
 
 def _first(path: str, expected: str, found: str) -> Drift:
-    pairs = zip_longest(expected.splitlines(True), found.splitlines(True), fillvalue="")
-    number, (right, wrong) = next((n, pair) for n, pair in enumerate(pairs, 1) if pair[0] != pair[1])
-    return Drift(path, number, right.rstrip("\n") or "end of file", wrong.rstrip("\n") or "end of file")
+    pairs = zip_longest(_lines(expected), _lines(found), fillvalue="")
+    number, (right, wrong) = next(
+        (n, pair) for n, pair in enumerate(pairs, 1) if pair[0] != pair[1]
+    )
+    return Drift(path, number, _shown(right), _shown(wrong))
+
+
+def _lines(text: str) -> list[str]:
+    """Lines with their ends, as editors count them."""
+    return re.findall(r"[^\n]*\n|[^\n]+", text)
+
+
+def _shown(line: str) -> str:
+    """A line so that a difference can be seen: blanks at its ends and odd characters escaped."""
+    body = line.removesuffix("\n")
+    if not body:
+        return "an empty line" if line else "the end of the file"
+    plain = body if body.isprintable() and body == body.rstrip() else ascii(body)
+    cut = plain if len(plain) <= LONGEST else plain[:LONGEST] + "..."
+    return cut if line.endswith("\n") else f"{cut} (without a newline)"

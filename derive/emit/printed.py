@@ -65,8 +65,9 @@ def _described(quantity: Quantity) -> Printed:
 
 def _input(d: Derivation, quantity: Quantity) -> Printed:
     symbols = quantity.symbols()
-    used = [[str(s), i] for i, (s, u) in enumerate(zip(symbols, d.used(quantity), strict=True)) if u]
-    return {**_described(quantity), "entries": used}
+    used = zip(symbols, d.used(quantity), strict=True)
+    entries = [[str(symbol), i] for i, (symbol, is_used) in enumerate(used) if is_used]
+    return {**_described(quantity), "entries": entries}
 
 
 def _output(quantity: Quantity, entries: tuple[Expr, ...], dialect: Dialect) -> Printed:
@@ -98,4 +99,3 @@ def _cases(terms: tuple[tuple[Symbol, Expr], ...], dialect: Dialect) -> list[Pri
 
 def _lines(terms: tuple[tuple[Symbol, Expr], ...], dialect: Dialect) -> list[list[str]]:
     return [[str(symbol), printer.text(value, dialect)] for symbol, value in terms]
-

@@ -21,7 +21,10 @@ from derive.lie.kernel import TINY as TINY_SYMBOL
 
 @dataclass(frozen=True)
 class Dialect:
-    """How one target spells what differs between languages; each takes printed text."""
+    """How one target spells what differs between languages; each takes printed text.
+
+    absolute and compared take an operand: the text in parentheses where it has several terms.
+    """
 
     scalar: str
     number: Callable[[Fraction, str], str]
@@ -84,8 +87,8 @@ def _joined(terms: list[tuple[bool, Expr]], dialect: Dialect) -> str:
     """Terms with their signs between them, a positive one first."""
     first = next(i for i, (is_negative, _) in enumerate(terms) if not is_negative)
     terms.insert(0, terms.pop(first))
-    parts = [("- " if is_negative else "+ ") + text(term, dialect) for is_negative, term in terms]
-    return " ".join(parts)[2:]
+    signed = (("- " if is_negative else "+ ", term) for is_negative, term in terms)
+    return " ".join(sign + _factor(term, dialect) for sign, term in signed)[2:]
 
 
 def _signed(term: Expr) -> tuple[bool, Expr]:
@@ -94,18 +97,29 @@ def _signed(term: Expr) -> tuple[bool, Expr]:
 
 def _product(value: Expr, dialect: Dialect) -> str:
     is_negative, value = _signed(value)
-    over, under = value.as_numer_denom()
+    # Not as_numer_denom, which would bring sums to a common denominator.
+    over, under = sympy.fraction(value)
     line = "*".join(_factor(f, dialect) for f in sympy.Mul.make_args(over))
     if under != 1:
         below = "*".join(_factor(f, dialect) for f in sympy.Mul.make_args(under))
-        line += f"/({below})" if isinstance(under, sympy.Mul) else f"/{below}"
+        is_product = under.is_Mul or (under.is_Pow and under.exp.is_Integer)
+        line += f"/({below})" if is_product else f"/{below}"
     return f"-{line}" if is_negative else line
 
 
-def _factor(value: Expr, dialect: Dialect, *alone: type) -> str:
-    if isinstance(value, (sympy.Add, *alone)) or value.is_negative:
+def _factor(value: Expr, dialect: Dialect) -> str:
+    if isinstance(value, sympy.Add) or value.is_negative:
         return f"({text(value, dialect)})"
     return text(value, dialect)
+
+
+def _operand(value: Expr, dialect: Dialect) -> str:
+    line = text(value, dialect)
+    return line if value.is_Atom else f"({line})"
+
+
+def _absolute(value: Expr, dialect: Dialect) -> str:
+    return dialect.absolute.format(_operand(value.args[0], dialect))
 
 
 def _power(value: Expr, dialect: Dialect) -> str:
@@ -114,7 +128,9 @@ def _power(value: Expr, dialect: Dialect) -> str:
         return dialect.root.format(text(base, dialect))
     if exponent.is_Integer and exponent > 0:
         return "*".join([_factor(base, dialect)] * int(exponent))
-    return _product(value, dialect)
+    if exponent.is_negative:
+        return _product(value, dialect)
+    raise TypeError(f"no rule prints the power {value}")
 
 
 def _kernel(value: Expr, dialect: Dialect) -> str:
@@ -132,8 +148,9 @@ def condition(value: sympy.Basic, dialect: Dialect) -> str:
 
 
 def _compared(side: Expr, dialect: Dialect) -> str:
-    line = text(side, dialect)
-    return line if side.is_Rational else dialect.compared.format(line)
+    if side.is_Rational:
+        return text(side, dialect)
+    return dialect.compared.format(_operand(side, dialect))
 
 
 _RULES: tuple[tuple[type, Callable[[Expr, Dialect], str]], ...] = (
@@ -141,6 +158,6 @@ _RULES: tuple[tuple[type, Callable[[Expr, Dialect], str]], ...] = (
     (sympy.Mul, _product),
     (sympy.Pow, _power),
     (Arc, _kernel),
-    (sympy.Abs, lambda v, dialect: dialect.absolute.format(text(v.args[0], dialect))),
+    (sympy.Abs, _absolute),
     (type(sympy.pi), _pi),
 )

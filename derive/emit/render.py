@@ -31,6 +31,7 @@ def environment() -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
+        optimized=False,  # costs more than it saves: a template is rendered twice at most
     )
     env.filters.update(
         fold=fold,
@@ -40,6 +41,8 @@ def environment() -> jinja2.Environment:
         batched=batched,
         python_name=python_name,
         pack=pack,
+        prototype=prototype,
+        narrow=narrow,
         leading=leading,
     )
     return env
@@ -53,10 +56,28 @@ def fold(line: str, then: int | str) -> str:
     )
 
 
+def narrow(text: str) -> str:
+    """C text of a vehicle with a long name: what is too wide gets lines of its own."""
+    lines = (line if len(line) <= WIDTH else _narrow(line) for line in text.splitlines())
+    return "\n".join(lines) + "\n"
+
+
+def _narrow(line: str) -> str:
+    """Put the remark at the end of a line above it; then break at spaces."""
+    indent = " " * (len(line) - len(line.lstrip()))
+    code, mark, remark = line.partition(" /* ")
+    lines = [f"{indent}/* {remark}", code] if mark and code.strip() else [line]
+    return "\n".join(fold(one, indent + " " * 8) for one in lines)
+
+
+def prototype(line: str, then: int = 8) -> str:
+    """Names separated by commas, broken only after them; further lines are indented by `then`."""
+    return fold(re.sub(r"(?<!,) ", "\0", line), then).replace("\0", " ")
+
+
 def pack(items: list[str], head: str) -> str:
     """A C declaration of several names, broken only between them."""
-    line = head + ", ".join(item.replace(" ", "\0") for item in items) + ";"
-    return fold(line, 8).replace("\0", " ")
+    return prototype(head + ", ".join(items) + ";")
 
 
 def leading(term: list[str]) -> str:

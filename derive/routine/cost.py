@@ -24,7 +24,10 @@ class Cost:
 
 
 def cost(d: Derivation) -> Cost:
-    """Count a derivation; a subterm that stands twice within one step is counted once."""
+    """Count a derivation; a subterm that stands twice within one step is counted once.
+
+    Of a Piecewise its dearest case counts, and no comparison; |x| is free.
+    """
     operations = kernels = 0
     for step in d.steps:
         shared, terms = sympy.cse([value for _, value in step.terms], order="none")
@@ -35,6 +38,30 @@ def cost(d: Derivation) -> Cost:
 
 
 def _operations(value: Expr) -> int:
+    """Operations of one expression, as it is printed: x**3 takes two, a sign within a sum none."""
     if isinstance(value, sympy.Piecewise):
         return max(_operations(case) for case, _ in value.args)
-    return int(value.count_ops(visual=False)) - len(value.atoms(sympy.Abs))
+    if value.is_Add:
+        return _of_sum(value)
+    if value.is_Mul or (value.is_Pow and value.exp.is_negative):
+        return _of_product(value)
+    if value.is_Pow:
+        own = 1 if value.exp == sympy.S.Half else int(value.exp) - 1
+        return own + _operations(value.base)
+    return sum(_operations(arg) for arg in value.args)
+
+
+def _of_sum(value: Expr) -> int:
+    content, rest = value.primitive()
+    is_negative = [term.could_extract_minus_sign() for term in rest.args]
+    factor = content != 1 or all(is_negative)
+    terms = (-t if minus else t for t, minus in zip(rest.args, is_negative, strict=True))
+    return factor + len(is_negative) - 1 + sum(map(_operations, terms))
+
+
+def _of_product(value: Expr) -> int:
+    if value.could_extract_minus_sign():
+        return 1 + _operations(-value)
+    parts = [sympy.Mul.make_args(part) for part in value.as_numer_denom()]
+    over, under = ([factor for factor in part if factor != 1] for part in parts)
+    return max(len(over), 1) + len(under) - 1 + sum(map(_operations, over + under))

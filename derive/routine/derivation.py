@@ -18,8 +18,8 @@ from sympy import Expr, Matrix, Symbol
 class Quantity:
     """What a row of numbers means: name, length, unit, sentence, equation label.
 
-    holder and member say where the caller keeps an input or an output
-    (`reference`, `nu_dot` for the input nu_r_dot); both empty for a step.
+    place says where the caller keeps an input or an output: `reference.nu_dot` for the input
+    nu_r_dot, a bare name for an argument of its own; empty for a step.
     """
 
     name: str
@@ -28,8 +28,17 @@ class Quantity:
     doc: str
     source: str = ""
     is_scalar: bool = False
-    holder: str = ""
-    member: str = ""
+    place: str = ""
+
+    @property
+    def holder(self) -> str:
+        """The struct it is kept in, `reference`; empty for an argument of its own."""
+        return self.place.rpartition(".")[0]
+
+    @property
+    def member(self) -> str:
+        """Its name there, `nu_dot`."""
+        return self.place.rpartition(".")[2]
 
     def symbols(self) -> tuple[Symbol, ...]:
         """One real symbol per entry: `eta_0, eta_1, ...`, or the bare name of a scalar."""

@@ -1,0 +1,76 @@
+"""A check: what was measured on what, against which limit, and where it was worst."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+
+from derive.verify.limits import Limit
+
+
+@dataclass(frozen=True)
+class Check:
+    """One line of evidence; a measurement that is not a number never passes."""
+
+    name: str
+    subject: str
+    measured: float
+    limit: Limit
+    samples: int
+    worst: str = ""
+
+    @property
+    def is_ok(self) -> bool:
+        """Whether the measurement is within the limit."""
+        return self.measured <= self.limit.figure
+
+
+@dataclass(frozen=True)
+class Report:
+    """All checks of one vehicle, and what could not be checked on this machine, with the reason."""
+
+    vehicle: str
+    checks: tuple[Check, ...]
+    skipped: tuple[str, ...] = ()
+
+    @property
+    def ok(self) -> bool:
+        """Whether every check passed."""
+        return all(check.is_ok for check in self.checks)
+
+    def table(self) -> str:
+        """Columns check, on, worst figure, limit, samples, verdict, worst input."""
+        head = ("check", "on", "worst", "limit", "samples", "", "worst at")
+        rows = [head, *(_row(check) for check in self.checks)]
+        widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
+        lines = ["  ".join(f"{cell:{w}}" for cell, w in zip(row, widths, strict=True)).rstrip()
+                 for row in rows]  # fmt: skip
+        failed = sum(not check.is_ok for check in self.checks)
+        verdict = f"{len(self.checks)} checks, {failed} failed" + "".join(
+            f"\nnot checked: {reason}" for reason in self.skipped
+        )
+        return "\n".join([f"{self.vehicle}: derivatives and properties", *lines, verdict])
+
+    def as_json(self) -> str:
+        """The same for machines."""
+        checks = [{**asdict(check), "ok": check.is_ok} for check in self.checks]
+        body = {
+            "vehicle": self.vehicle,
+            "ok": self.ok,
+            "checks": checks,
+            "skipped": list(self.skipped),
+        }
+        return json.dumps(body, indent=2) + "\n"
+
+
+def _row(check: Check) -> tuple[str, ...]:
+    unit = "" if check.limit.unit == "relative" else f" {check.limit.unit}"
+    return (
+        check.name,
+        check.subject,
+        f"{check.measured:.3g}{unit}",
+        f"{check.limit.figure:g}{unit}",
+        str(check.samples),
+        "ok" if check.is_ok else "FAILED",
+        check.worst,
+    )

@@ -1,0 +1,505 @@
+/*
+ * quadrotor_f32: gsmc on S3, law log (the rotation vector), float precision.
+ * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
+ */
+#include "quadrotor_f32.h"
+
+#include <math.h>
+
+#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
+#endif
+
+const quadrotor_f32_params quadrotor_f32_defaults = {
+    {0.0085F, 0.0F, 0.00012F, 0.0088F, 0.0F, 0.0152F},
+    6.0F, /* lambda */
+    1.0e1F /* k_s */
+};
+
+/* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
+static inline float quadrotor_f32_k(const float w)
+{
+    const float z = 1.0F - w;
+    float sum = 0.0113573875F;
+    sum = sum * z - 0.03345748F;
+    sum = sum * z + 0.05257884F;
+    sum = sum * z - 0.03515102F;
+    sum = sum * z + 0.03098574F;
+    sum = sum * z + 0.019848673F;
+    sum = sum * z + 0.058037706F;
+    sum = sum * z + 0.13326089F;
+    sum = sum * z + 0.33333558F;
+    sum = sum * z + 1.0F;
+    return sum;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
+static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference, quadrotor_f32_command *command, float *clearance)
+{
+    /* -- tracking -- */
+    const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+    const float rate_gain = params->lambda;
+    const float reach_gain = params->k_s;
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+    const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
+    const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
+        nu_r_dot_2 = reference->nu_dot[2];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* to_body: Ad of g_e^-1: reference to body frame [1] */
+    const float to_body_0 = 1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3;
+    const float to_body_1 = 2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2);
+    const float to_body_2 = 2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2);
+    const float to_body_3 = 2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3);
+    const float to_body_4 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3;
+    const float to_body_5 = 2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3);
+    const float to_body_6 = 2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3);
+    const float to_body_7 = 2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1);
+    const float to_body_8 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_2*g_e_2;
+
+    /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
+    const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
+    const float eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5;
+    const float eta_2 = nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8;
+
+    /* nu_e: velocity error [rad/s], eq. (velErr) */
+    const float nu_e_0 = nu_0 - eta_0;
+    const float nu_e_1 = nu_1 - eta_1;
+    const float nu_e_2 = nu_2 - eta_2;
+
+    /* eta_dot: exact rate of eta [rad/s^2] */
+    const float eta_dot_0 = eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 +
+        nu_r_dot_2*to_body_2 - eta_2*nu_e_1;
+    const float eta_dot_1 = eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+        nu_r_dot_2*to_body_5 - eta_0*nu_e_2;
+    const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
+        nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
+
+    /* norm: length of the quaternion [1] */
+    const float norm = sqrtf(1.0e-30F + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+
+    /* scale: to unit length [1] */
+    const float scale = 1.0F/norm;
+
+    /* w: cos of half the error angle [1] */
+    const float w = g_e_0*scale;
+
+    /* v: sin of half the error angle times its axis [1] */
+    const float v_0 = g_e_1*scale;
+    const float v_1 = g_e_2*scale;
+    const float v_2 = g_e_3*scale;
+
+    /* k_near: half angle over its sine, for |w| [1] */
+    const float k_near = quadrotor_f32_k(fabsf(w));
+
+    /* sine: |v| [1] */
+    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* k: half angle over its sine, on to 2 pi [1] */
+    float k;
+    if (w >= 0.0F) {
+        k = k_near;
+    } else {
+        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
+    }
+
+    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
+    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* distance: distance from -i [1] */
+    float distance;
+    if (w < 0.0F) {
+        distance = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    } else {
+        distance = 1.0F;
+    }
+
+    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    const float nu_u_0 = 2.0F*k*v_0;
+    const float nu_u_1 = 2.0F*k*v_1;
+    const float nu_u_2 = 2.0F*k*v_2;
+
+    /* turn: v x nu_e [rad/s] */
+    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
+    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
+    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+
+    /* bend: v x (v x nu_e) [rad/s] */
+    const float bend_0 = turn_2*v_1 - turn_1*v_2;
+    const float bend_1 = turn_0*v_2 - turn_2*v_0;
+    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+
+    /* nu_u_dot: exact rate of nu_u [rad/s] */
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+
+    /* drive: lambda nu_u [rad/s] */
+    const float drive_0 = nu_u_0*rate_gain;
+    const float drive_1 = nu_u_1*rate_gain;
+    const float drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [rad/s], eq. (SurfaceErr) */
+    const float s_0 = drive_0 + nu_e_0;
+    const float s_1 = drive_1 + nu_e_1;
+    const float s_2 = drive_2 + nu_e_2;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const float wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0;
+    const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
+    const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
+
+    /* turning: lambda nu_u - eta [rad/s] */
+    const float turning_0 = drive_0 - eta_0;
+    const float turning_1 = drive_1 - eta_1;
+    const float turning_2 = drive_2 - eta_2;
+
+    /* momentum: I nu [N m s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
+    const float momentum_1 = inertia_3*nu_1;
+    const float momentum_2 = inertia_2*nu_0 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [N m], eq. (TckCtrl) */
+    const float force_0 = inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 -
+        momentum_2*turning_1;
+    const float force_1 = inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2;
+    const float force_2 = inertia_2*wanted_0 + inertia_5*wanted_2 + momentum_0*turning_1 -
+        momentum_1*turning_0;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+    *clearance = distance;
+}
+
+/* distance of stored numbers from the group. */
+static void quadrotor_f32_residual(const float g[4], float residual[1])
+{
+    /* -- residual -- */
+    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
+
+    /* off: deviation from the group [1] */
+    const float off_0 = g_0*g_0 - 1.0F + g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* -- end -- */
+    residual[0] = off_0;
+}
+
+/* pivots of the inertia: all positive for a valid one. */
+static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float pivot[3])
+{
+    /* -- definiteness -- */
+    const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const float lower_20 = inertia_2/inertia_0;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
+
+    /* -- end -- */
+    pivot[0] = inertia_0;
+    pivot[1] = inertia_3;
+    pivot[2] = pivot_2;
+}
+
+/* The worse of two findings. */
+static quadrotor_f32_status quadrotor_f32_worse(const quadrotor_f32_status a,
+        const quadrotor_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static quadrotor_f32_status quadrotor_f32_inspect(const float *numbers, const int count,
+        const float limit)
+{
+    quadrotor_f32_status worst = QUADROTOR_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = QUADROTOR_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = quadrotor_f32_worse(worst, QUADROTOR_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
+static quadrotor_f32_status quadrotor_f32_on_group(const float g[4])
+{
+    float residual[1];
+    int i;
+    quadrotor_f32_residual(g, residual);
+    for (i = 0; i < 1; i++) {
+        if (!(fabsf(residual[i]) <= QUADROTOR_F32_MAX_DRIFT)) {
+            return QUADROTOR_F32_NOT_ON_GROUP;
+        }
+    }
+    return QUADROTOR_F32_OK;
+}
+
+void quadrotor_f32_tracking(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference, quadrotor_f32_command *command)
+{
+    float clearance;
+    quadrotor_f32_law(params, state, reference, command, &clearance);
+}
+
+void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
+        quadrotor_f32_command *command)
+{
+    /* -- reaching -- */
+    const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+    const float rate_gain = params->lambda;
+    const float reach_gain = params->k_s;
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+
+    /* norm: length of the quaternion [1] */
+    const float norm = sqrtf(1.0e-30F + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+
+    /* scale: to unit length [1] */
+    const float scale = 1.0F/norm;
+
+    /* w: cos of half the error angle [1] */
+    const float w = g_0*scale;
+
+    /* v: sin of half the error angle times its axis [1] */
+    const float v_0 = g_1*scale;
+    const float v_1 = g_2*scale;
+    const float v_2 = g_3*scale;
+
+    /* k_near: half angle over its sine, for |w| [1] */
+    const float k_near = quadrotor_f32_k(fabsf(w));
+
+    /* sine: |v| [1] */
+    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* k: half angle over its sine, on to 2 pi [1] */
+    float k;
+    if (w >= 0.0F) {
+        k = k_near;
+    } else {
+        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
+    }
+
+    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
+    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    const float nu_u_0 = 2.0F*k*v_0;
+    const float nu_u_1 = 2.0F*k*v_1;
+    const float nu_u_2 = 2.0F*k*v_2;
+
+    /* turn: v x nu_e [rad/s] */
+    const float turn_0 = nu_2*v_1 - nu_1*v_2;
+    const float turn_1 = nu_0*v_2 - nu_2*v_0;
+    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+
+    /* bend: v x (v x nu_e) [rad/s] */
+    const float bend_0 = turn_2*v_1 - turn_1*v_2;
+    const float bend_1 = turn_0*v_2 - turn_2*v_0;
+    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+
+    /* nu_u_dot: exact rate of nu_u [rad/s] */
+    const float nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+
+    /* drive: lambda nu_u [rad/s] */
+    const float drive_0 = nu_u_0*rate_gain;
+    const float drive_1 = nu_u_1*rate_gain;
+    const float drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [rad/s], eq. (sldS) */
+    const float s_0 = drive_0 + nu_0;
+    const float s_1 = drive_1 + nu_1;
+    const float s_2 = drive_2 + nu_2;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const float wanted_0 = -(nu_u_dot_0*rate_gain + reach_gain*s_0);
+    const float wanted_1 = -(nu_u_dot_1*rate_gain + reach_gain*s_1);
+    const float wanted_2 = -(nu_u_dot_2*rate_gain + reach_gain*s_2);
+
+    /* momentum: I nu [N m s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
+    const float momentum_1 = inertia_3*nu_1;
+    const float momentum_2 = inertia_2*nu_0 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [N m], eq. (Ctrl2) */
+    const float force_0 = drive_2*momentum_1 + inertia_0*wanted_0 + inertia_2*wanted_2 -
+        drive_1*momentum_2;
+    const float force_1 = drive_0*momentum_2 + inertia_3*wanted_1 - drive_2*momentum_0;
+    const float force_2 = drive_1*momentum_0 + inertia_2*wanted_0 + inertia_5*wanted_2 -
+        drive_0*momentum_1;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+}
+
+void quadrotor_f32_plant(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
+        const float force[3], float nu_dot[3])
+{
+    /* -- plant -- */
+    const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const float force_0 = force[0], force_1 = force[1], force_2 = force[2];
+
+    /* momentum: I nu [N m s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
+    const float momentum_1 = inertia_3*nu_1;
+    const float momentum_2 = inertia_2*nu_0 + inertia_5*nu_2;
+
+    /* total: coad(nu) I nu + force [N m] */
+    const float total_0 = force_0 + momentum_1*nu_2 - momentum_2*nu_1;
+    const float total_1 = force_1 + momentum_2*nu_0 - momentum_0*nu_2;
+    const float total_2 = force_2 + momentum_0*nu_1 - momentum_1*nu_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const float lower_20 = inertia_2/inertia_0;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
+
+    /* forward_2: forward substitution [N m] */
+    const float forward_2 = total_2 - lower_20*total_0;
+
+    /* back_2: back substitution [rad/s^2] */
+    const float back_2 = forward_2/pivot_2;
+
+    /* back_1: back substitution [rad/s^2] */
+    const float back_1 = total_1/inertia_3;
+
+    /* back_0: back substitution [rad/s^2] */
+    const float back_0 = total_0/inertia_0 - back_2*lower_20;
+
+    /* -- end -- */
+    nu_dot[0] = back_0;
+    nu_dot[1] = back_1;
+    nu_dot[2] = back_2;
+}
+
+/* What the state and the reference are worth. */
+static quadrotor_f32_status quadrotor_f32_judge(const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference)
+{
+    quadrotor_f32_status worst = QUADROTOR_F32_OK;
+    worst = quadrotor_f32_worse(worst,
+            quadrotor_f32_inspect(state->g, 4, QUADROTOR_F32_MAX_INPUT));
+    worst = quadrotor_f32_worse(worst,
+            quadrotor_f32_inspect(state->nu, 3, QUADROTOR_F32_MAX_INPUT));
+    worst = quadrotor_f32_worse(worst,
+            quadrotor_f32_inspect(reference->g, 4, QUADROTOR_F32_MAX_INPUT));
+    worst = quadrotor_f32_worse(worst,
+            quadrotor_f32_inspect(reference->nu, 3, QUADROTOR_F32_MAX_INPUT));
+    worst = quadrotor_f32_worse(worst,
+            quadrotor_f32_inspect(reference->nu_dot, 3, QUADROTOR_F32_MAX_INPUT));
+    if (worst == QUADROTOR_F32_OK) {
+        worst = quadrotor_f32_on_group(state->g);
+    }
+    if (worst == QUADROTOR_F32_OK) {
+        worst = quadrotor_f32_on_group(reference->g);
+    }
+    return worst;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_command *command,
+        const float clearance)
+{
+    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
+    int row;
+    int i;
+    if (clearance < QUADROTOR_F32_REFUSED_CUT) {
+        return QUADROTOR_F32_OUT_OF_RANGE;
+    }
+    for (row = 0; row < 4; row++) {
+        for (i = 0; i < 3; i++) {
+            if (!isfinite(rows[row][i])) {
+                return QUADROTOR_F32_NONFINITE_INPUT;
+            }
+        }
+    }
+    return clearance < QUADROTOR_F32_NEAR_CUT ? QUADROTOR_F32_NEAR_CUT_LOCUS : QUADROTOR_F32_OK;
+}
+
+quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
+        const quadrotor_f32_state *state, const quadrotor_f32_reference *reference,
+        quadrotor_f32_command *command)
+{
+    static const quadrotor_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
+    quadrotor_f32_status status = quadrotor_f32_judge(state, reference);
+    if (status == QUADROTOR_F32_OK) {
+        float clearance;
+        quadrotor_f32_law(params, state, reference, command, &clearance);
+        status = quadrotor_f32_verdict(command, clearance);
+    }
+    if (status >= QUADROTOR_F32_NOT_ON_GROUP) {
+        *command = nothing;
+    }
+    return status;
+}
+
+quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *params)
+{
+    float pivot[3];
+    int i;
+    if (quadrotor_f32_inspect(params->inertia, 6, QUADROTOR_F32_MAX_PARAM) != QUADROTOR_F32_OK) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    if (!(params->lambda > 0.0F && params->lambda <= QUADROTOR_F32_MAX_PARAM)) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    if (!(params->k_s > 0.0F && params->k_s <= QUADROTOR_F32_MAX_PARAM)) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    if (fabsf(params->inertia[1]) > 0.0F) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    if (fabsf(params->inertia[4]) > 0.0F) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    quadrotor_f32_definiteness(params, pivot);
+    for (i = 0; i < 3; i++) {
+        if (!(pivot[i] > 0.0F)) {
+            return QUADROTOR_F32_BAD_PARAMS;
+        }
+    }
+    return QUADROTOR_F32_OK;
+}

@@ -1,0 +1,517 @@
+/*
+ * quadrotor_f64: gsmc on S3, law log (the rotation vector), double precision.
+ * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
+ */
+#include "quadrotor_f64.h"
+
+#include <math.h>
+
+#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
+#endif
+
+const quadrotor_f64_params quadrotor_f64_defaults = {
+    {0.0085, 0.0, 0.00012, 0.0088, 0.0, 0.0152},
+    6.0, /* lambda */
+    1.0e1 /* k_s */
+};
+
+/* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
+static inline double quadrotor_f64_k(const double w)
+{
+    const double z = 1.0 - w;
+    double sum = 8.277514146196502e-5;
+    sum = sum * z - 0.0007444806306887051;
+    sum = sum * z + 0.00317670645149068;
+    sum = sum * z - 0.008454515050142185;
+    sum = sum * z + 0.01566904108961398;
+    sum = sum * z - 0.02138402971876357;
+    sum = sum * z + 0.022234983575225374;
+    sum = sum * z - 0.01792610921286688;
+    sum = sum * z + 0.011402056638616778;
+    sum = sum * z - 0.005632546133953197;
+    sum = sum * z + 0.002377672542009468;
+    sum = sum * z - 0.0004366715134129454;
+    sum = sum * z + 0.0007243405609038858;
+    sum = sum * z + 0.0011382817325777553;
+    sum = sum * z + 0.0024908875171720216;
+    sum = sum * z + 0.0053275406688376775;
+    sum = sum * z + 0.01154404554160158;
+    sum = sum * z + 0.02539682373687369;
+    sum = sum * z + 0.05714285719245186;
+    sum = sum * z + 0.13333333333254913;
+    sum = sum * z + 0.33333333333333826;
+    sum = sum * z + 1.0;
+    return sum;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
+static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
+        const quadrotor_f64_reference *reference, quadrotor_f64_command *command, double *clearance)
+{
+    /* -- tracking -- */
+    const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+    const double rate_gain = params->lambda;
+    const double reach_gain = params->k_s;
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+    const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
+    const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
+        nu_r_dot_2 = reference->nu_dot[2];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const double g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const double g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* to_body: Ad of g_e^-1: reference to body frame [1] */
+    const double to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3;
+    const double to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2);
+    const double to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2);
+    const double to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3);
+    const double to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3;
+    const double to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3);
+    const double to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3);
+    const double to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1);
+    const double to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2;
+
+    /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
+    const double eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
+    const double eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5;
+    const double eta_2 = nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8;
+
+    /* nu_e: velocity error [rad/s], eq. (velErr) */
+    const double nu_e_0 = nu_0 - eta_0;
+    const double nu_e_1 = nu_1 - eta_1;
+    const double nu_e_2 = nu_2 - eta_2;
+
+    /* eta_dot: exact rate of eta [rad/s^2] */
+    const double eta_dot_0 = eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 +
+        nu_r_dot_2*to_body_2 - eta_2*nu_e_1;
+    const double eta_dot_1 = eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+        nu_r_dot_2*to_body_5 - eta_0*nu_e_2;
+    const double eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
+        nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
+
+    /* norm: length of the quaternion [1] */
+    const double norm = sqrt(1.0e-290 + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+
+    /* scale: to unit length [1] */
+    const double scale = 1.0/norm;
+
+    /* w: cos of half the error angle [1] */
+    const double w = g_e_0*scale;
+
+    /* v: sin of half the error angle times its axis [1] */
+    const double v_0 = g_e_1*scale;
+    const double v_1 = g_e_2*scale;
+    const double v_2 = g_e_3*scale;
+
+    /* k_near: half angle over its sine, for |w| [1] */
+    const double k_near = quadrotor_f64_k(fabs(w));
+
+    /* sine: |v| [1] */
+    const double sine = sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* k: half angle over its sine, on to 2 pi [1] */
+    double k;
+    if (w >= 0.0) {
+        k = k_near;
+    } else {
+        k = 3.141592653589793/(sine + 1.0e-290) - k_near;
+    }
+
+    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
+    const double h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* distance: distance from -i [1] */
+    double distance;
+    if (w < 0.0) {
+        distance = sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    } else {
+        distance = 1.0;
+    }
+
+    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    const double nu_u_0 = 2.0*k*v_0;
+    const double nu_u_1 = 2.0*k*v_1;
+    const double nu_u_2 = 2.0*k*v_2;
+
+    /* turn: v x nu_e [rad/s] */
+    const double turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
+    const double turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
+    const double turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+
+    /* bend: v x (v x nu_e) [rad/s] */
+    const double bend_0 = turn_2*v_1 - turn_1*v_2;
+    const double bend_1 = turn_0*v_2 - turn_2*v_0;
+    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+
+    /* nu_u_dot: exact rate of nu_u [rad/s] */
+    const double nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
+    const double nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
+    const double nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+
+    /* drive: lambda nu_u [rad/s] */
+    const double drive_0 = nu_u_0*rate_gain;
+    const double drive_1 = nu_u_1*rate_gain;
+    const double drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [rad/s], eq. (SurfaceErr) */
+    const double s_0 = drive_0 + nu_e_0;
+    const double s_1 = drive_1 + nu_e_1;
+    const double s_2 = drive_2 + nu_e_2;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const double wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0;
+    const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
+    const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
+
+    /* turning: lambda nu_u - eta [rad/s] */
+    const double turning_0 = drive_0 - eta_0;
+    const double turning_1 = drive_1 - eta_1;
+    const double turning_2 = drive_2 - eta_2;
+
+    /* momentum: I nu [N m s] */
+    const double momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
+    const double momentum_1 = inertia_3*nu_1;
+    const double momentum_2 = inertia_2*nu_0 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [N m], eq. (TckCtrl) */
+    const double force_0 = inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 -
+        momentum_2*turning_1;
+    const double force_1 = inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2;
+    const double force_2 = inertia_2*wanted_0 + inertia_5*wanted_2 + momentum_0*turning_1 -
+        momentum_1*turning_0;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+    *clearance = distance;
+}
+
+/* distance of stored numbers from the group. */
+static void quadrotor_f64_residual(const double g[4], double residual[1])
+{
+    /* -- residual -- */
+    const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
+
+    /* off: deviation from the group [1] */
+    const double off_0 = g_0*g_0 - 1.0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* -- end -- */
+    residual[0] = off_0;
+}
+
+/* pivots of the inertia: all positive for a valid one. */
+static void quadrotor_f64_definiteness(const quadrotor_f64_params *params, double pivot[3])
+{
+    /* -- definiteness -- */
+    const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const double lower_20 = inertia_2/inertia_0;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
+
+    /* -- end -- */
+    pivot[0] = inertia_0;
+    pivot[1] = inertia_3;
+    pivot[2] = pivot_2;
+}
+
+/* The worse of two findings. */
+static quadrotor_f64_status quadrotor_f64_worse(const quadrotor_f64_status a,
+        const quadrotor_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static quadrotor_f64_status quadrotor_f64_inspect(const double *numbers, const int count,
+        const double limit)
+{
+    quadrotor_f64_status worst = QUADROTOR_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = QUADROTOR_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = quadrotor_f64_worse(worst, QUADROTOR_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
+static quadrotor_f64_status quadrotor_f64_on_group(const double g[4])
+{
+    double residual[1];
+    int i;
+    quadrotor_f64_residual(g, residual);
+    for (i = 0; i < 1; i++) {
+        if (!(fabs(residual[i]) <= QUADROTOR_F64_MAX_DRIFT)) {
+            return QUADROTOR_F64_NOT_ON_GROUP;
+        }
+    }
+    return QUADROTOR_F64_OK;
+}
+
+void quadrotor_f64_tracking(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
+        const quadrotor_f64_reference *reference, quadrotor_f64_command *command)
+{
+    double clearance;
+    quadrotor_f64_law(params, state, reference, command, &clearance);
+}
+
+void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
+        quadrotor_f64_command *command)
+{
+    /* -- reaching -- */
+    const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+    const double rate_gain = params->lambda;
+    const double reach_gain = params->k_s;
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+
+    /* norm: length of the quaternion [1] */
+    const double norm = sqrt(1.0e-290 + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+
+    /* scale: to unit length [1] */
+    const double scale = 1.0/norm;
+
+    /* w: cos of half the error angle [1] */
+    const double w = g_0*scale;
+
+    /* v: sin of half the error angle times its axis [1] */
+    const double v_0 = g_1*scale;
+    const double v_1 = g_2*scale;
+    const double v_2 = g_3*scale;
+
+    /* k_near: half angle over its sine, for |w| [1] */
+    const double k_near = quadrotor_f64_k(fabs(w));
+
+    /* sine: |v| [1] */
+    const double sine = sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* k: half angle over its sine, on to 2 pi [1] */
+    double k;
+    if (w >= 0.0) {
+        k = k_near;
+    } else {
+        k = 3.141592653589793/(sine + 1.0e-290) - k_near;
+    }
+
+    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
+    const double h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2);
+
+    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    const double nu_u_0 = 2.0*k*v_0;
+    const double nu_u_1 = 2.0*k*v_1;
+    const double nu_u_2 = 2.0*k*v_2;
+
+    /* turn: v x nu_e [rad/s] */
+    const double turn_0 = nu_2*v_1 - nu_1*v_2;
+    const double turn_1 = nu_0*v_2 - nu_2*v_0;
+    const double turn_2 = nu_1*v_0 - nu_0*v_1;
+
+    /* bend: v x (v x nu_e) [rad/s] */
+    const double bend_0 = turn_2*v_1 - turn_1*v_2;
+    const double bend_1 = turn_0*v_2 - turn_2*v_0;
+    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+
+    /* nu_u_dot: exact rate of nu_u [rad/s] */
+    const double nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
+    const double nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
+    const double nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+
+    /* drive: lambda nu_u [rad/s] */
+    const double drive_0 = nu_u_0*rate_gain;
+    const double drive_1 = nu_u_1*rate_gain;
+    const double drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [rad/s], eq. (sldS) */
+    const double s_0 = drive_0 + nu_0;
+    const double s_1 = drive_1 + nu_1;
+    const double s_2 = drive_2 + nu_2;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const double wanted_0 = -(nu_u_dot_0*rate_gain + reach_gain*s_0);
+    const double wanted_1 = -(nu_u_dot_1*rate_gain + reach_gain*s_1);
+    const double wanted_2 = -(nu_u_dot_2*rate_gain + reach_gain*s_2);
+
+    /* momentum: I nu [N m s] */
+    const double momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
+    const double momentum_1 = inertia_3*nu_1;
+    const double momentum_2 = inertia_2*nu_0 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [N m], eq. (Ctrl2) */
+    const double force_0 = drive_2*momentum_1 + inertia_0*wanted_0 + inertia_2*wanted_2 -
+        drive_1*momentum_2;
+    const double force_1 = drive_0*momentum_2 + inertia_3*wanted_1 - drive_2*momentum_0;
+    const double force_2 = drive_1*momentum_0 + inertia_2*wanted_0 + inertia_5*wanted_2 -
+        drive_0*momentum_1;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+}
+
+void quadrotor_f64_plant(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
+        const double force[3], double nu_dot[3])
+{
+    /* -- plant -- */
+    const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
+        inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
+    const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double force_0 = force[0], force_1 = force[1], force_2 = force[2];
+
+    /* momentum: I nu [N m s] */
+    const double momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
+    const double momentum_1 = inertia_3*nu_1;
+    const double momentum_2 = inertia_2*nu_0 + inertia_5*nu_2;
+
+    /* total: coad(nu) I nu + force [N m] */
+    const double total_0 = force_0 + momentum_1*nu_2 - momentum_2*nu_1;
+    const double total_1 = force_1 + momentum_2*nu_0 - momentum_0*nu_2;
+    const double total_2 = force_2 + momentum_0*nu_1 - momentum_1*nu_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const double lower_20 = inertia_2/inertia_0;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
+
+    /* forward_2: forward substitution [N m] */
+    const double forward_2 = total_2 - lower_20*total_0;
+
+    /* back_2: back substitution [rad/s^2] */
+    const double back_2 = forward_2/pivot_2;
+
+    /* back_1: back substitution [rad/s^2] */
+    const double back_1 = total_1/inertia_3;
+
+    /* back_0: back substitution [rad/s^2] */
+    const double back_0 = total_0/inertia_0 - back_2*lower_20;
+
+    /* -- end -- */
+    nu_dot[0] = back_0;
+    nu_dot[1] = back_1;
+    nu_dot[2] = back_2;
+}
+
+/* What the state and the reference are worth. */
+static quadrotor_f64_status quadrotor_f64_judge(const quadrotor_f64_state *state,
+        const quadrotor_f64_reference *reference)
+{
+    quadrotor_f64_status worst = QUADROTOR_F64_OK;
+    worst = quadrotor_f64_worse(worst,
+            quadrotor_f64_inspect(state->g, 4, QUADROTOR_F64_MAX_INPUT));
+    worst = quadrotor_f64_worse(worst,
+            quadrotor_f64_inspect(state->nu, 3, QUADROTOR_F64_MAX_INPUT));
+    worst = quadrotor_f64_worse(worst,
+            quadrotor_f64_inspect(reference->g, 4, QUADROTOR_F64_MAX_INPUT));
+    worst = quadrotor_f64_worse(worst,
+            quadrotor_f64_inspect(reference->nu, 3, QUADROTOR_F64_MAX_INPUT));
+    worst = quadrotor_f64_worse(worst,
+            quadrotor_f64_inspect(reference->nu_dot, 3, QUADROTOR_F64_MAX_INPUT));
+    if (worst == QUADROTOR_F64_OK) {
+        worst = quadrotor_f64_on_group(state->g);
+    }
+    if (worst == QUADROTOR_F64_OK) {
+        worst = quadrotor_f64_on_group(reference->g);
+    }
+    return worst;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static quadrotor_f64_status quadrotor_f64_verdict(const quadrotor_f64_command *command,
+        const double clearance)
+{
+    const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
+    int row;
+    int i;
+    if (clearance < QUADROTOR_F64_REFUSED_CUT) {
+        return QUADROTOR_F64_OUT_OF_RANGE;
+    }
+    for (row = 0; row < 4; row++) {
+        for (i = 0; i < 3; i++) {
+            if (!isfinite(rows[row][i])) {
+                return QUADROTOR_F64_NONFINITE_INPUT;
+            }
+        }
+    }
+    return clearance < QUADROTOR_F64_NEAR_CUT ? QUADROTOR_F64_NEAR_CUT_LOCUS : QUADROTOR_F64_OK;
+}
+
+quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
+        const quadrotor_f64_state *state, const quadrotor_f64_reference *reference,
+        quadrotor_f64_command *command)
+{
+    static const quadrotor_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
+    quadrotor_f64_status status = quadrotor_f64_judge(state, reference);
+    if (status == QUADROTOR_F64_OK) {
+        double clearance;
+        quadrotor_f64_law(params, state, reference, command, &clearance);
+        status = quadrotor_f64_verdict(command, clearance);
+    }
+    if (status >= QUADROTOR_F64_NOT_ON_GROUP) {
+        *command = nothing;
+    }
+    return status;
+}
+
+quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *params)
+{
+    double pivot[3];
+    int i;
+    if (quadrotor_f64_inspect(params->inertia, 6, QUADROTOR_F64_MAX_PARAM) != QUADROTOR_F64_OK) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+    if (!(params->lambda > 0.0 && params->lambda <= QUADROTOR_F64_MAX_PARAM)) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+    if (!(params->k_s > 0.0 && params->k_s <= QUADROTOR_F64_MAX_PARAM)) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+    if (fabs(params->inertia[1]) > 0.0) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+    if (fabs(params->inertia[4]) > 0.0) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+    quadrotor_f64_definiteness(params, pivot);
+    for (i = 0; i < 3; i++) {
+        if (!(pivot[i] > 0.0)) {
+            return QUADROTOR_F64_BAD_PARAMS;
+        }
+    }
+    return QUADROTOR_F64_OK;
+}

@@ -1,0 +1,158 @@
+/*
+ * Calls `control` on bit patterns from a fixed seed and judges what comes back by itself.
+ * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, HAS_REFERENCE and MAY_OVERFLOW come from the
+ * command line, ELEMENTS and their number from elements.h. Prints how often a status came back.
+ */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include HEADER
+#include "elements.h"
+
+#define JOIN_(a, b) a##_##b
+#define JOIN(a, b) JOIN_(a, b)
+#define NAME(x) JOIN(PREFIX, x)
+#define LIMIT(x) JOIN(MACRO, x)
+
+enum { ROWS = 200000, WIDTH = 2 * STORED + 3 * DIM, COMMAND = 4 * DIM };
+
+typedef struct {
+    REAL x[WIDTH]; /* g, nu, g_r, nu_r, nu_r_dot */
+} input;
+
+static uint64_t seed = UINT64_C(0x9e3779b97f4a7c15);
+
+static uint64_t draw(void)
+{
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    return seed;
+}
+
+static REAL any_bits(void)
+{
+    const BITS bits = (BITS)(draw() >> (64 - 8 * sizeof(BITS)));
+    REAL value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static REAL moderate(void)
+{
+    return (REAL)((double)(draw() >> 11) * 0x1p-53 * 4.0 - 2.0);
+}
+
+/* Elements of the group, at pi and at the far end of S3 too, and moderate velocities. */
+static input valid(void)
+{
+    input in;
+    int i;
+    for (i = 0; i < WIDTH; i++) {
+        in.x[i] = moderate();
+    }
+    memcpy(in.x, ELEMENTS[draw() % COUNT], sizeof(REAL) * STORED);
+    memcpy(in.x + STORED + DIM, ELEMENTS[draw() % COUNT], sizeof(REAL) * STORED);
+    return in;
+}
+
+static void flip(input *in)
+{
+    const int place = (int)(draw() % WIDTH);
+    BITS bits;
+    memcpy(&bits, &in->x[place], sizeof bits);
+    bits ^= (BITS)1 << (draw() % (8 * sizeof(BITS)));
+    memcpy(&in->x[place], &bits, sizeof bits);
+}
+
+static input row(int kind)
+{
+    input in = valid();
+    int i;
+    if (kind == 0) { /* nothing but noise */
+        for (i = 0; i < WIDTH; i++) {
+            in.x[i] = any_bits();
+        }
+    } else if (kind == 1) { /* on the group, the velocities any bits that are in range */
+        for (i = STORED; i < WIDTH; i += i + 1 == STORED + DIM ? STORED + 1 : 1) {
+            const REAL value = any_bits();
+            in.x[i] = fabs((double)value) <= (double)LIMIT(MAX_INPUT) ? value : (REAL)i;
+        }
+    } else if (kind == 2) { /* one bit wrong */
+        flip(&in);
+    }
+    return in;
+}
+
+/* 18, 17 or 0, from the numbers alone. */
+static int judged(const input *in)
+{
+    int worst = 0;
+    int i;
+    for (i = 0; i < (HAS_REFERENCE ? WIDTH : STORED + DIM); i++) {
+        const double size = fabs((double)in->x[i]);
+        const int one = !isfinite(size) ? 18 : size > (double)LIMIT(MAX_INPUT) ? 17 : 0;
+        worst = one > worst ? one : worst;
+    }
+    return worst;
+}
+
+static int called(const input *in, NAME(command) *command)
+{
+    NAME(state) state;
+    memcpy(state.g, in->x, sizeof state.g);
+    memcpy(state.nu, in->x + STORED, sizeof state.nu);
+#if HAS_REFERENCE
+    NAME(reference) reference;
+    memcpy(reference.g, in->x + STORED + DIM, sizeof reference.g);
+    memcpy(reference.nu, in->x + 2 * STORED + DIM, sizeof reference.nu);
+    memcpy(reference.nu_dot, in->x + 2 * STORED + 2 * DIM, sizeof reference.nu_dot);
+    return (int)NAME(control)(&NAME(defaults), &state, &reference, command);
+#else
+    return (int)NAME(control)(&NAME(defaults), &state, command);
+#endif
+}
+
+static int is_wrong(const input *in, int status, const NAME(command) *command)
+{
+    REAL out[COMMAND];
+    const int found = judged(in);
+    const int last = MAY_OVERFLOW ? 18 : 17;
+    int wrong = found ? status != found : status > last || (status > 2 && status < 16);
+    wrong |= status == 1; /* nothing saturates */
+    int i;
+    memcpy(out, command, sizeof out);
+    for (i = 0; i < COMMAND; i++) {
+        wrong |= !isfinite(out[i]) || (status >= 16 && out[i] != 0);
+    }
+    return wrong;
+}
+
+int main(void)
+{
+    long counts[32] = {0};
+    int i;
+    for (i = 0; i < ROWS; i++) {
+        const input in = row(i % 4);
+        NAME(command) command;
+        memset(&command, 0xff, sizeof command); /* what is not written is not a number */
+        const int status = called(&in, &command);
+        if (status < 0 || status > 31 || is_wrong(&in, status, &command)) {
+            int k;
+            printf("row %d: status %d, expected %d, from\n", i, status, judged(&in));
+            for (k = 0; k < WIDTH; k++) {
+                printf("  %a\n", (double)in.x[k]);
+            }
+            return 1;
+        }
+        counts[status]++;
+    }
+    for (i = 0; i < 32; i++) {
+        if (counts[i]) {
+            printf("%d %ld\n", i, counts[i]);
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,196 @@
+"""`control` refuses what it must, says why, and then commands nothing; in C and numpy alike."""
+
+from __future__ import annotations
+
+import subprocess
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from derive.control.kinematic import LAWS
+from derive.emit.status import FIRST_BAD, STATUSES
+from derive.lie.catalogue import GROUPS
+from derive.native.compile import Compiler
+from derive.native.load import Library, load_module
+from derive.vehicle import Vehicle
+from tests.emit import subjects
+from tests.emit.cases import CUT, NONFINITE, Case, Row, cases, good, is_tracking
+from tests.emit.subjects import ELEMENT, GUARDED, Array
+
+SCALARS = ("f32", "f64")
+TYPE = {"f32": ("float", "uint32_t"), "f64": ("double", "uint64_t")}
+COMMAND = ("force", "s", "nu_u", "nu_u_dot")
+
+# At their pole these divide by zero before `control` refuses them; IEEE division, no trap.
+DIVIDING = (("SO3", "gibbs"), ("S3", "mrp"))
+# Close to -i, 1 + w rounds to zero where |v| is still beyond REFUSED_CUT: NONFINITE_INPUT.
+ROUNDING = (("S3", "mrp"),)
+
+every_vehicle = pytest.mark.parametrize("vehicle", GUARDED, ids=lambda v: v.name)
+every_scalar = pytest.mark.parametrize("scalar", SCALARS)
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("guarded")
+
+
+@cache
+def library(vehicle: Vehicle, scalar: str, folder: Path) -> Library:
+    return subjects.library(vehicle, scalar, folder)
+
+
+def module(vehicle: Vehicle, folder: Path) -> Any:
+    return load_module(subjects.place(vehicle, folder) / f"numpy/{vehicle.name}.py")
+
+
+def stacked(rows: list[Row]) -> Row:
+    return {field: np.array([row[field] for row in rows]) for field in rows[0]}
+
+
+def by_numpy(vehicle: Vehicle, rows: Row, folder: Path) -> Any:
+    shape = GROUPS[vehicle.group].shape
+    shaped = {
+        name: value.reshape(-1, *shape) if name in ("g", "g_r") else value
+        for name, value in rows.items()
+    }
+    return module(vehicle, folder).control(**shaped)
+
+
+def called(built: Library, rows: Row, **given: Any) -> dict[str, Array]:
+    """The compiled `control`."""
+    arguments: dict[str, Any] = {**rows, **given}
+    return built.control(**arguments)
+
+
+def agree(vehicle: Vehicle, rows: Row, folder: Path) -> None:
+    """C in double and numpy: the same status for every row, the same force to 1e-13."""
+    in_c = called(library(vehicle, "f64", folder), rows)
+    in_numpy = by_numpy(vehicle, rows, folder)
+    np.testing.assert_array_equal(in_numpy.status, in_c["status"])
+    for field in COMMAND:
+        found, wanted = getattr(in_numpy, field), in_c[field]
+        size = np.maximum(np.linalg.norm(wanted, axis=-1), 1e-300)
+        assert np.max(np.linalg.norm(found - wanted, axis=-1) / size) <= 1e-13, field
+
+
+def test_the_table_of_cuts_knows_every_law() -> None:
+    assert set(CUT) == set(LAWS)
+
+
+@every_scalar
+@every_vehicle
+def test_every_case_gets_its_status(folder: Path, vehicle: Vehicle, scalar: str) -> None:
+    built = library(vehicle, scalar, folder)
+    asked: list[Case] = list(cases(vehicle, built.constants))
+    got = called(built, stacked([case.row for case in asked]))
+    wrong = [
+        f"{case.name}: {status}, expected {case.status}"
+        for case, status in zip(asked, got["status"], strict=True)
+        if status != case.status
+    ]
+    assert wrong == []
+    refused = got["status"] >= FIRST_BAD
+    for field in COMMAND:
+        assert np.isfinite(got[field]).all()
+        assert not got[field][refused].any()
+    assert got["force"][~refused].any(-1).all()
+
+
+@every_vehicle
+def test_numpy_agrees_with_c_on_every_case(folder: Path, vehicle: Vehicle) -> None:
+    limits = library(vehicle, "f64", folder).constants
+    agree(vehicle, stacked([case.row for case in cases(vehicle, limits)]), folder)
+
+
+@every_vehicle
+def test_numpy_agrees_with_c_on_noise(folder: Path, vehicle: Vehicle) -> None:
+    random = np.random.default_rng(7)
+    element, count = ELEMENT[vehicle.group], 400
+    rows = []
+    for i in range(count):
+        row = good(vehicle, seed=i, angle=random.uniform(0, 2 * np.pi))
+        field = list(row)[i % len(row)]
+        if i % 4:
+            other = element(random.normal(size=3), random.uniform(0, np.pi)).ravel()
+            row = {**row, "g_r": other} if is_tracking(vehicle) else {**row, "g": other}
+        if i % 2:
+            flipped = row[field].copy()
+            flipped.view(np.uint64)[0] ^= np.uint64(1) << np.uint64(random.integers(64))
+            row = {**row, field: flipped}
+        if i % 16 == 8:
+            shape = row[field].shape
+            noise = random.integers(0, 2**64, shape, np.uint64, endpoint=False)
+            row = {**row, field: noise.view(np.float64)}
+        rows.append(row)
+    agree(vehicle, stacked(rows), folder)
+
+
+@every_scalar
+@every_vehicle
+def test_unchecked_parameters_give_a_finite_force(
+    folder: Path, vehicle: Vehicle, scalar: str
+) -> None:
+    built = library(vehicle, scalar, folder)
+    row = good(vehicle)
+    for name in built.defaults:
+        for value in (np.nan, np.inf):
+            bad = {name: np.full_like(built.defaults[name], value)}
+            got = called(built, row, params=bad)
+            assert got["status"] == NONFINITE
+            assert not any(got[field].any() for field in COMMAND)
+
+
+def elements(vehicle: Vehicle, scalar: str) -> str:
+    """A C table of elements near the identity, at random, at pi and at the end of S3."""
+    random = np.random.default_rng(3)
+    kind: Any = {"f32": np.float32, "f64": np.float64}[scalar]
+    angles = [0.0, 1e-9, 1.0, 2.0, np.pi - 1e-4, np.pi, 2 * np.pi - 1e-4, 2 * np.pi]
+    axes: list[Array] = [*np.eye(3), random.normal(size=3), random.normal(size=3)]
+    table = [ELEMENT[vehicle.group](axis, angle).ravel() for axis in axes for angle in angles]
+    table += [np.round(row) for row in table if np.allclose(row, np.round(row))]
+    rows = (", ".join(float(kind(x)).hex() for x in row) for row in table)
+    real, _ = TYPE[scalar]
+    lines = ",\n".join(f"    {{{row}}}" for row in rows)
+    head = f"#define COUNT {len(table)}\nstatic const {real} ELEMENTS[COUNT][{len(table[0])}]"
+    return f"{head} = {{\n{lines}\n}};\n"
+
+
+def fuzzer(vehicle: Vehicle, scalar: str, folder: Path) -> Path:
+    """The emitted source and fuzz.c, with every sanitizer there is."""
+    own = folder / f"fuzz_{vehicle.name}_{scalar}"
+    own.mkdir(exist_ok=True)
+    (own / "elements.h").write_text(elements(vehicle, scalar), encoding="utf-8")
+    real, bits = TYPE[scalar]
+    group, prefix = GROUPS[vehicle.group], f"{vehicle.name}_{scalar}"
+    given = {"HEADER": f'"{prefix}.h"', "PREFIX": prefix, "MACRO": prefix.upper(), "REAL": real}
+    given |= {"BITS": bits, "STORED": str(len(group.identity)), "DIM": str(group.dim)}
+    given |= {"HAS_REFERENCE": str(int(is_tracking(vehicle)))}
+    given |= {"MAY_OVERFLOW": str(int((vehicle.group, vehicle.law) in ROUNDING))}
+    kinds = ["address", "undefined"]
+    if (vehicle.group, vehicle.law) not in DIVIDING:
+        kinds.append("float-divide-by-zero")
+    flags = ["-std=c99", "-O1", "-ffp-contract=off", "-fno-sanitize-recover=all"]
+    flags += [f"-fsanitize={','.join(kinds)}", f"-I{own}"]
+    flags += [f"-I{subjects.header(vehicle, scalar, folder).parent}"]
+    flags += [f"-D{name}={value}" for name, value in given.items()]
+    sources = [Path(__file__).with_name("fuzz.c"), subjects.source(vehicle, scalar, folder)]
+    return Compiler.find().run([*flags, *map(str, sources), "-lm"], own / "fuzz")
+
+
+@every_scalar
+@every_vehicle
+def test_no_bits_lead_astray(folder: Path, vehicle: Vehicle, scalar: str) -> None:
+    done = subprocess.run(
+        [fuzzer(vehicle, scalar, folder)], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = [line.split() for line in done.stdout.splitlines()]
+    counts = {int(status): int(count) for status, count in lines}
+    assert sum(counts.values()) == 200_000
+    assert {0, 16, 17, 18} <= set(counts) <= {value for _, value, _ in STATUSES}
+    if CUT[vehicle.group, vehicle.law]:
+        assert counts[2] > 0

@@ -1,0 +1,234 @@
+"""The emitted numpy module: batches of any shape, parameters that broadcast, refused inputs."""
+
+from __future__ import annotations
+
+import py_compile
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from derive.lie.catalogue import GROUPS
+from derive.native.load import load_module
+from derive.vehicle import Vehicle
+from tests.emit import subjects
+from tests.emit.cases import is_tracking
+from tests.emit.subjects import ELEMENT, FILES, GUARDED, STEERED, Array
+
+SHAPES: tuple[tuple[int, ...], ...] = (
+    (),
+    (1,),
+    (5,),
+    (2, 3),
+    (0,),
+    (2, 0, 3),
+    (4095,),
+    (4096,),
+    (4097,),
+)
+COMMAND = ("force", "s", "nu_u", "nu_u_dot")
+
+every_vehicle = pytest.mark.parametrize("vehicle", [*FILES, *STEERED], ids=lambda v: v.name)
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("numpy")
+
+
+@cache
+def module(vehicle: Vehicle, folder: Path) -> Any:
+    return load_module(subjects.place(vehicle, folder) / f"numpy/{vehicle.name}.py")
+
+
+def law(made: Any, vehicle: Vehicle) -> Any:
+    """The bare law that `control` guards."""
+    return made.tracking if is_tracking(vehicle) else made.reaching
+
+
+def inputs(vehicle: Vehicle, shape: tuple[int, ...], seed: int = 2) -> dict[str, Array]:
+    random = np.random.default_rng(seed)
+    count = int(np.prod(shape))
+    stored = GROUPS[vehicle.group].shape
+
+    def elements() -> Array:
+        pairs = zip(random.normal(size=(count, 3)), random.uniform(0, 3, count), strict=True)
+        table = [ELEMENT[vehicle.group](axis, angle) for axis, angle in pairs]
+        return np.array(table).reshape(*shape, *stored)
+
+    given = {"g": elements(), "nu": random.normal(size=(*shape, 3))}
+    if is_tracking(vehicle):
+        given |= {"g_r": elements(), "nu_r": random.normal(size=(*shape, 3))}
+        given |= {"nu_r_dot": random.normal(size=(*shape, 3))}
+    return given
+
+
+def rows(given: dict[str, Array], depth: int) -> list[dict[str, Array]]:
+    """Every row of a batch of that many leading axes."""
+    shape = given["nu"].shape[:depth]
+    return [{name: value[at] for name, value in given.items()} for at in np.ndindex(*shape)]
+
+
+@every_vehicle
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+def test_a_batch_is_its_rows(folder: Path, vehicle: Vehicle, shape: tuple[int, ...]) -> None:
+    made, given = module(vehicle, folder), inputs(vehicle, shape)
+    for routine in (made.control, law(made, vehicle)):
+        whole = routine(**given)
+        assert whole.status.shape == shape
+        assert whole.status.dtype.kind == "i"
+        for field in COMMAND:
+            assert getattr(whole, field).shape == (*shape, 3)
+            assert getattr(whole, field).dtype == np.float64
+        alone = rows(given, len(shape))
+        flat = whole.force.reshape(-1, 3)
+        picked = sorted({*range(min(3, len(alone))), *range(len(alone))[-3:]})
+        for i in picked:
+            np.testing.assert_array_equal(routine(**alone[i]).force, flat[i])
+
+
+@every_vehicle
+def test_leading_axes_broadcast(folder: Path, vehicle: Vehicle) -> None:
+    made = module(vehicle, folder)
+    given = inputs(vehicle, (4, 1))
+    given |= {"nu": inputs(vehicle, (3,), 5)["nu"]}
+    spread = law(made, vehicle)(**given)
+    assert spread.force.shape == (4, 3, 3)
+    for i, j in np.ndindex(4, 3):
+        row = {name: value[i, 0] for name, value in given.items() if name != "nu"}
+        alone = law(made, vehicle)(**row, nu=given["nu"][j])
+        np.testing.assert_array_equal(spread.force[i, j], alone.force)
+
+
+@every_vehicle
+def test_every_parameter_broadcasts(folder: Path, vehicle: Vehicle) -> None:
+    made, given = module(vehicle, folder), inputs(vehicle, ())
+    defaults = made.DEFAULTS
+    for name, value in defaults._asdict().items():
+        scale = np.array([1.0, 2.0, 3.0])
+        batch = np.multiply.outer(scale, value)
+        spread = made.control(**given, params=defaults._replace(**{name: batch}))
+        assert spread.force.shape == (3, 3)
+        for k in range(3):
+            alone = made.control(**given, params=defaults._replace(**{name: batch[k]}))
+            np.testing.assert_array_equal(spread.force[k], alone.force)
+        assert len({tuple(force) for force in spread.force}) == 3
+
+
+@every_vehicle
+def test_a_wrong_shape_is_refused(folder: Path, vehicle: Vehicle) -> None:
+    made, good = module(vehicle, folder), inputs(vehicle, (2,))
+    for routine in (made.control, law(made, vehicle)):
+        for name, value in good.items():
+            short, scalar = value[..., :-1], np.array(1.0)
+            for wrong in (short, np.concatenate([value, value], -1), scalar):
+                with pytest.raises(ValueError, match=r"expected an array \(\.\.\., "):
+                    routine(**{**good, name: wrong})
+        with pytest.raises(ValueError, match="broadcast"):
+            routine(**{**good, "nu": inputs(vehicle, (3,))["nu"]})
+
+
+@every_vehicle
+def test_control_refuses_complex_numbers(folder: Path, vehicle: Vehicle) -> None:
+    made, good = module(vehicle, folder), inputs(vehicle, (2,))
+    for name, value in good.items():
+        with pytest.raises(TypeError, match="real numbers"):
+            made.control(**{**good, name: value.astype(complex)})
+    for name, value in made.DEFAULTS._asdict().items():
+        params = made.DEFAULTS._replace(**{name: np.asarray(value) + 0j})
+        with pytest.raises(TypeError, match="real numbers"):
+            made.control(**good, params=params)
+
+
+@pytest.mark.parametrize("vehicle", GUARDED, ids=lambda v: v.name)
+def test_a_complex_step_runs_through_the_law(folder: Path, vehicle: Vehicle) -> None:
+    made, given = module(vehicle, folder), inputs(vehicle, (6,))
+    routine, step = law(made, vehicle), 1e-5
+    for name in given:
+        way = np.random.default_rng(1).normal(size=given[name].shape)
+        stepped = routine(**{**given, name: given[name] + 1e-100j * way})
+        sides = [routine(**{**given, name: given[name] + sign * step * way}) for sign in (1, -1)]
+        for field in COMMAND:
+            slope = np.imag(getattr(stepped, field)) / 1e-100
+            central = (getattr(sides[0], field) - getattr(sides[1], field)) / (2 * step)
+            size = 1 + np.abs(central).max()
+            np.testing.assert_allclose(slope, central, rtol=1e-6, atol=1e-6 * size)
+
+
+@every_vehicle
+def test_the_plant_takes_any_batch(folder: Path, vehicle: Vehicle) -> None:
+    made = module(vehicle, folder)
+    I = np.array([[float(x) for x in row] for row in vehicle.inertia])  # noqa: E741 - the paper's
+    for shape in SHAPES[:6]:
+        nu, force = np.random.default_rng(4).normal(size=(2, *shape, 3))
+        momentum = nu @ I
+        wanted = (np.cross(momentum, nu) + force) @ np.linalg.inv(I)
+        np.testing.assert_allclose(made.plant(nu, force), wanted, rtol=1e-12, atol=1e-12)
+
+
+@every_vehicle
+def test_narrow_numbers_are_computed_in_double(folder: Path, vehicle: Vehicle) -> None:
+    made = module(vehicle, folder)
+    identity = np.reshape(GROUPS[vehicle.group].identity, GROUPS[vehicle.group].shape)
+    given = inputs(vehicle, (3,))
+    given |= {"nu": given["nu"].astype(np.float32)}
+    if is_tracking(vehicle):
+        given |= {"nu_r": given["nu_r"].astype(np.float32)}
+    wide = {name: value.astype(float) for name, value in given.items()}
+    np.testing.assert_array_equal(made.control(**given).force, made.control(**wide).force)
+    whole: dict[str, Array] = {
+        name: np.full(3, 100, np.int8) for name in given if name.startswith("nu")
+    }
+    whole |= {name: identity.astype(np.int8) for name in given if name.startswith("g")}
+    wide = {name: value.astype(float) for name, value in whole.items()}
+    np.testing.assert_array_equal(made.control(**whole).force, made.control(**wide).force)
+
+
+def test_inputs_are_left_as_they_were(folder: Path) -> None:
+    for vehicle in FILES:
+        given = inputs(vehicle, (5,))
+        for value in given.values():
+            value.setflags(write=False)
+        kept = {name: value.copy() for name, value in given.items()}
+        module(vehicle, folder).control(**given)
+        for name, value in given.items():
+            np.testing.assert_array_equal(value, kept[name])
+
+
+@pytest.mark.parametrize("vehicle", GUARDED, ids=lambda v: v.name)
+def test_the_module_is_clean_python(folder: Path, vehicle: Vehicle) -> None:
+    path = subjects.place(vehicle, folder) / f"numpy/{vehicle.name}.py"
+    py_compile.compile(str(path), cfile=str(folder / "compiled.pyc"), doraise=True)
+    assert max(map(len, path.read_text(encoding="utf-8").splitlines())) <= 100
+
+
+def test_ruff_finds_no_fault_in_any_module(folder: Path) -> None:
+    paths = [subjects.place(v, folder) / f"numpy/{v.name}.py" for v in GUARDED]
+    command = [sys.executable, "-m", "ruff", "check", "--isolated", "--select", "F,E9,E501"]
+    command += ["--line-length", "100", *map(str, paths)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_module_needs_numpy_and_the_standard_library_only(folder: Path) -> None:
+    path = subjects.place(FILES[0], folder) / f"numpy/{FILES[0].name}.py"
+    code = f"""
+import sys, runpy
+runpy.run_path({str(path)!r})
+third = {{name.partition('.')[0] for name in sys.modules}} - set(sys.stdlib_module_names)
+print(sorted(name for name in third if not name.startswith('_')))
+"""
+    done = subprocess.run(
+        [sys.executable, "-I", "-W", "error", "-c", code],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "numpy" in done.stdout
+    assert "derive" not in done.stdout
+    assert "scipy" not in done.stdout

@@ -1,0 +1,109 @@
+"""`check_params` accepts the vehicle's own parameters and none that break the law."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from derive.native.load import Library
+from derive.vehicle import Vehicle
+from tests.emit import subjects
+from tests.emit.subjects import FILES, SPARSE, STEERED, Array
+
+BAD = 19
+LIMIT = 1e9
+FORMS = [*FILES, *STEERED, *(v for v in SPARSE if v.law == "log")]
+NAN, INF = float("nan"), float("inf")
+
+Changed = tuple[str, dict[str, Any]]
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("params")
+
+
+def upper(matrix: Array) -> Array:
+    return np.asarray(matrix[np.triu_indices(len(matrix))])
+
+
+def changed(values: Array, index: int, value: float) -> Array:
+    copy = values.copy()
+    copy[index] = value
+    return copy
+
+
+def refused(vehicle: Vehicle, defaults: dict[str, Array]) -> Iterator[Changed]:
+    inertia = defaults["inertia"].astype(float)
+    for index, present in enumerate(vehicle.pattern):
+        for value in (NAN, INF, -INF, 2 * LIMIT, -2 * LIMIT):
+            yield f"inertia[{index}] = {value}", {"inertia": changed(inertia, index, value)}
+        if not present:
+            for value in (1e-40, -1e-3):
+                name = f"inertia[{index}] = {value} where the pattern has a zero"
+                yield name, {"inertia": changed(inertia, index, value)}
+    for name in defaults.keys() - {"inertia"}:
+        for value in (0.0, -0.0, -1.0, NAN, INF, 2 * LIMIT):
+            yield f"{name} = {value}", {name: np.array(value)}
+    yield from indefinite(vehicle, inertia)
+
+
+def indefinite(vehicle: Vehicle, inertia: Array) -> Iterator[Changed]:
+    """Symmetric, of the pattern, but with an eigenvalue that is zero or negative."""
+    n = len(vehicle.inertia)
+    rows, columns = np.triu_indices(n)
+    diagonal = np.flatnonzero(rows == columns).tolist()
+    yield "all zero", {"inertia": 0 * inertia}
+    yield "negative definite", {"inertia": -inertia}
+    for index in diagonal:
+        for value in (0.0, -1.0):
+            yield f"diagonal {index} = {value}", {"inertia": changed(inertia, index, value)}
+    for index, present in enumerate(vehicle.pattern):
+        if present and index not in diagonal:
+            yield f"coupling {index}", {"inertia": changed(inertia, index, 20.0)}
+    if all(vehicle.pattern):
+        yield "of rank one", {"inertia": upper(np.ones((n, n)))}
+
+
+@pytest.mark.parametrize("scalar", ["f32", "f64"])
+@pytest.mark.parametrize("vehicle", FORMS, ids=lambda v: v.name)
+def test_bad_parameters_are_refused(folder: Path, vehicle: Vehicle, scalar: str) -> None:
+    built = subjects.library(vehicle, scalar, folder)
+    accepted = [
+        name
+        for name, params in refused(vehicle, built.defaults)
+        if built.check_params(params=params) != BAD
+    ]
+    assert accepted == []
+
+
+@pytest.mark.parametrize("scalar", ["f32", "f64"])
+@pytest.mark.parametrize("vehicle", FORMS, ids=lambda v: v.name)
+def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: str) -> None:
+    built: Library = subjects.library(vehicle, scalar, folder)
+    n, pattern = len(vehicle.inertia), np.array(vehicle.pattern)
+    assert built.check_params() == 0
+    assert built.constants["MAX_PARAM"] == LIMIT
+    random = np.random.default_rng(5)
+    for scale in (1e-9, 1.0, 1e8):
+        factor = np.tril(random.uniform(0.1, 0.2, (n, n)), -1) + np.eye(n)
+        matrix = upper(factor @ factor.T) * pattern * scale
+        full = np.zeros((n, n))
+        full[np.triu_indices(n)] = matrix
+        assert np.linalg.eigvalsh(full, "U").min() > 0
+        gains = {name: LIMIT for name in built.defaults if name != "inertia"}
+        assert built.check_params(params={"inertia": matrix, **gains}) == 0
+
+
+def test_the_defaults_are_the_numbers_of_the_file(folder: Path) -> None:
+    for vehicle in FILES:
+        wanted = upper(np.array([[float(x) for x in row] for row in vehicle.inertia]))
+        for scalar, kind in (("f32", np.float32), ("f64", np.float64)):
+            defaults = subjects.library(vehicle, scalar, folder).defaults
+            assert defaults["inertia"].tolist() == wanted.astype(kind).tolist()
+            for name, value in vehicle.gains:
+                assert defaults[name] == kind(float(value))
