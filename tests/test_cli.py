@@ -10,56 +10,10 @@ from types import SimpleNamespace
 import pytest
 
 from derive import cli, pipeline
-from derive.starter import starter
 from derive.vehicle import load
+from tests.command import FILES, ROOT, derive, refused
 
-ROOT = Path(__file__).parents[1]
-FILES = [str(path) for path in sorted((ROOT / "vehicles").glob("*.toml"))]
 HEAVY = ("sympy", "casadi", "numpy", "mpmath", "scipy")
-MESSAGE = ("expected: ", "found:    ", "to do:    ")
-
-
-@pytest.fixture(scope="module")
-def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The home of a user whose cache holds every vehicle."""
-    place = tmp_path_factory.mktemp("home")
-    derive(place, "emit", *FILES, "--out", "unused", home=place)
-    return place
-
-
-@pytest.fixture
-def body(tmp_path: Path) -> Path:
-    """body.toml, as `derive init` writes it, alone in its folder."""
-    place = tmp_path / "here"
-    place.mkdir()
-    (place / "body.toml").write_text(starter("body", "SO3"))
-    return place / "body.toml"
-
-
-def derive(
-    place: Path, *arguments: str, home: Path | None = None, flags: tuple[str, ...] = ()
-) -> subprocess.CompletedProcess[str]:
-    """One command line, run in that folder."""
-    environment = {**os.environ, "HOME": str(home or place), "PYTHONPATH": str(ROOT)}
-    command = [sys.executable, *flags, "-m", "derive", *arguments]
-    return subprocess.run(
-        command, check=False, capture_output=True, text=True, cwd=place, env=environment, timeout=60
-    )
-
-
-def refused(place: Path, *arguments: str, home: Path | None = None) -> str:
-    """The message of a command line that must end with one, exit code 2, and nothing written."""
-    before = tree(place)
-    result = derive(place, *arguments, home=home or place)
-    assert (result.returncode, result.stdout) == (2, "")
-    assert "Traceback" not in result.stderr
-    assert all(result.stderr.count(part) == 1 for part in MESSAGE), result.stderr
-    assert {path: text for path, text in tree(place).items() if ".cache" not in path} == before
-    return result.stderr
-
-
-def tree(place: Path) -> dict[str, bytes]:
-    return {str(path): path.read_bytes() for path in place.rglob("*") if path.is_file()}
 
 
 def test_help_and_version_import_nothing_heavy(tmp_path: Path) -> None:
@@ -181,75 +135,12 @@ def test_a_missing_parent_of_out_is_made(body: Path, home: Path) -> None:
     assert [path.name for path in (body.parent / "a" / "b").iterdir()] == ["body"]
 
 
-def drifted(place: Path, home: Path, *arguments: str) -> list[str]:
-    result = derive(place, "check", *arguments, home=home)
-    assert (result.returncode, result.stderr) == (1, "")
-    return result.stdout.splitlines()
-
-
-@pytest.mark.parametrize(
-    ("find", "put", "expected", "found"),
-    [
-        ("#include <math.h>", "#include <maths.h>", "#include <math.h>", "#include <maths.h>"),
-        (
-            "#include <math.h>\n",
-            "#include <math.h>\r\n",
-            "#include <math.h>",
-            "'#include <math.h>\\r'",
-        ),
-        ("#include <math.h>", "#include <math.h> ", "#include <math.h>", "'#include <math.h> '"),
-        ("#include <math.h>\n", "", "#include <math.h>", "an empty line"),
-        ("#include <math.h>", "\udcff", "#include <math.h>", "'\\udcff'"),
-    ],
-    ids=["word", "return", "blank", "gone", "bytes"],
-)
-def test_drift_is_shown_by_its_first_line(
-    body: Path, home: Path, find: str, put: str, expected: str, found: str
-) -> None:
-    derive(body.parent, "emit", body.name, home=home)
-    source = body.parent / "generated" / "body" / "c" / "src" / "body_f64.c"
-    text = source.read_text()
-    number = text[: text.index(find)].count("\n") + 1
-    source.write_bytes(text.replace(find, put).encode("utf-8", "surrogateescape"))
-    assert drifted(body.parent, home, body.name) == [
-        f"generated/body/c/src/body_f64.c:{number}",
-        f"  expected: {expected}",
-        f"  found:    {found}",
-        "update with: derive emit body.toml",
-    ]
-
-
-def test_missing_and_unknown_files_are_drift_and_the_command_shown_mends(
-    body: Path, home: Path
-) -> None:
-    place = body.parent
-    assert len(drifted(place, home, body.name)) == 3 * 7 + 1
-    derive(place, "emit", body.name, "--out", "my out", home=home)
-    module = place / "my out" / "body" / "numpy" / "body.py"
-    module.write_text(module.read_text().removesuffix("\n"))
-    (place / "my out" / "body" / "c" / "include" / "body_f32.h").unlink()
-    lines = drifted(place, home, body.name, "--out", "my out")
-    assert next(line for line in lines if line.startswith("my out")).endswith("body_f32.h")
-    assert "(without a newline)" in lines[-2]
-    assert lines[-1] == "update with: derive emit body.toml --out 'my out'"
-    derive(place, "emit", body.name, "--out", "my out", home=home)
-    result = derive(place, "check", body.name, "--out", "my out", home=home)
-    assert (result.returncode, result.stdout) == (0, "same my out/body\n")
-
-
-def test_check_takes_the_vehicles_of_the_current_folder(body: Path, home: Path) -> None:
-    assert "vehicles/*.toml" in refused(body.parent, "check", home=home)
-    result = derive(ROOT, "check", home=home)
-    assert (result.returncode, result.stderr) == (0, "")
-    assert result.stdout.splitlines() == [f"same generated/{Path(file).stem}" for file in FILES]
-
-
 @pytest.mark.parametrize("ok", [True, False])
 def test_verify_gives_table_report_and_exit_code(
     body: Path, ok: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     report = SimpleNamespace(ok=ok, table=lambda: "the table", as_json=lambda: '{"ok": 1}')
-    monkeypatch.setattr(pipeline, "verify", lambda *given: report, raising=False)
+    monkeypatch.setattr(pipeline, "verify", lambda *given, **options: report)
     place = body.parent / "report.json"
     assert cli.run(["verify", str(body)]) == (0 if ok else 1)
     assert capsys.readouterr() == ("the table\n", "")
@@ -265,8 +156,11 @@ def test_verify_gives_table_report_and_exit_code(
 
 def test_an_interrupt_is_exit_130_without_a_traceback(body: Path) -> None:
     script = (
-        "import os, signal; from derive import cli, pipeline\n"
-        f"pipeline.emit = lambda *given: os.kill(os.getpid(), {int(signal.SIGINT)})\n"
+        "import os, time; from derive import cli, pipeline\n"
+        "def long_work(*given):\n"
+        f"    os.kill(os.getpid(), {int(signal.SIGINT)})\n"
+        "    time.sleep(60)\n"
+        "pipeline.emit = long_work\n"
         "cli.main()"
     )
     command = [sys.executable, "-c", script, "emit", str(body)]

@@ -49,31 +49,32 @@ def choose(*cases: tuple[Matrix, Any]) -> Matrix:
 def of_rotation(let: Let, stored: Matrix) -> Cover:
     """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
 
-    B = 4 q q^T for a rotation. The column of the largest diagonal entry, multiplied once more
-    by B, is q up to a factor in [4, 16]: one power step damps what is not orthonormal.
+    B = 4 p p^T for a rotation, p = (v, w). The column of the largest diagonal entry, multiplied
+    once more by B, is p up to a factor in [4, 16]: one power step damps what is not orthonormal.
+    The scalar comes last, so that sums end with their largest term at small angles.
     At angle pi the column chosen makes the largest |v_i| positive, the first index wins.
     """
-    B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 q q^T, packed by rows", MARKLEY)
+    B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
     B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
     columns = [B[:, j] for j in range(4)]
-    d = [B[j, j] for j in range(4)]
+    x, y, z, w = (B[j, j] for j in range(4))
     column = let(
         "column",
         choose(
-            (columns[0], d[0] >= 1),
-            (columns[1], sympy.And(d[1] >= d[2], d[1] >= d[3])),
-            (columns[2], d[2] >= d[3]),
-            (columns[3], True),
+            (columns[3], w >= 1),
+            (columns[0], sympy.And(x >= y, x >= z)),
+            (columns[1], y >= z),
+            (columns[2], True),
         ),
         "1",
         "a column of B that cannot vanish",
     )
     power = let("power", B * column, "1", "the column after one power step")
     norm = let("norm", sqrt(power.dot(power) + TINY), "1", "its length")
-    signed = Piecewise((-1 / norm, power[0] < 0), (1 / norm, True), evaluate=False)
+    signed = Piecewise((-1 / norm, power[3] < 0), (1 / norm, True), evaluate=False)
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
-    w = let("w", power[0] * scale, "1", "cos of half the error angle")
-    v = let("v", power[1:, :] * scale, "1", "sin of half the error angle times its axis")
+    w = let("w", power[3] * scale, "1", "cos of half the error angle")
+    v = let("v", power[:3, :] * scale, "1", "sin of half the error angle times its axis")
     _half(let, w)
     return Cover(w, v)
 
@@ -111,14 +112,14 @@ def _divided(let: Let, square: sympy.Expr, w: sympy.Expr, k: sympy.Expr) -> None
 
 
 def _quadruple(R: Matrix) -> Matrix:
-    """Upper triangle, by rows, of 4 q q^T from a rotation R (3, 3)."""
+    """Upper triangle, by rows, of 4 p p^T from a rotation R (3, 3), p = (v, w)."""
     x, y, z = R[0, 0], R[1, 1], R[2, 2]
     return Matrix(
         [
-            1 + (x + y + z), R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1],
-            1 + (x - y - z), R[0, 1] + R[1, 0], R[0, 2] + R[2, 0],
-            1 + (y - x - z), R[1, 2] + R[2, 1],
-            1 + (z - x - y),
+            1 + (x - y - z), R[0, 1] + R[1, 0], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2],
+            1 + (y - x - z), R[1, 2] + R[2, 1], R[0, 2] - R[2, 0],
+            1 + (z - x - y), R[1, 0] - R[0, 1],
+            1 + (x + y + z),
         ]
     )  # fmt: skip
 

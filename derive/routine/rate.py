@@ -49,8 +49,8 @@ def _write(
     if any(values):
         quantity = step.quantity
         shaped = values[0] if quantity.is_scalar else Matrix(values)
-        unit = "1/s" if quantity.unit == "1" else f"{quantity.unit}/s"
-        written = d.let(f"{quantity.name}_dot", shaped, unit, f"rate of {quantity.name}")
+        name, unit = f"{quantity.name}_dot", f"{quantity.unit}/s"
+        written = d.let(name, shaped, unit, f"rate of {quantity.name}")
         values = [written] if quantity.is_scalar else list(written)
     for own, value in zip(step.symbols, values, strict=True):
         if own.is_Symbol:

@@ -24,6 +24,10 @@ EITHER = 8
 """Distance from the cut locus, eps, within which both branches count as true."""
 
 
+HALVES = ("half_log", "lee", "sign_vec")
+"""Laws that grow with half the angle: their natural scale is half that of the others."""
+
+
 @dataclass(frozen=True)
 class Plant:
     """The numbers of a vehicle that the truth needs, exact: inertia (3, 3) and gains."""
@@ -122,8 +126,10 @@ def _table(
             other[row] = _with_clearance(one(int(row), True), vehicle)
     branches = [{name: _pair([r[name] for r in rows]) for name in names} for rows in (plain, other)]
     sine = np.array([float(truth.mp.norm(found["q"][1:])) for found in plain])
-    speed = np.array([float(truth.mp.norm(found["nu_e"])) for found in plain]) / 2
-    scales = {"nu_u": sine, "nu_u_dot": speed, "clearance": np.ones(len(plain))}
+    speed = np.array([float(truth.mp.norm(found["nu_e"])) for found in plain])
+    unit = 0.5 if vehicle.law in HALVES else 1.0
+    scales = {"nu_u": 2 * unit * sine, "nu_u_dot": unit * speed, "s": speed}
+    scales["clearance"] = np.ones(len(plain))
     return Truth(tuple(branches), scales, tuple(found["q"] for found in plain))
 
 

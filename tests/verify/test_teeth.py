@@ -1,0 +1,135 @@
+"""Break `lie`, `control` or `emit` in one place, and the suite must turn red.
+
+The oracles stand apart from all three, so no break can move both sides of a comparison.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+
+from derive.control import kinematic, sliding
+from derive.emit import literal, printer
+from derive.lie import catalogue, cover, kernel
+from derive.lie.group import Group
+from tests.verify.test_suite import PAPER, failures, verified, with_law
+
+Patch = pytest.MonkeyPatch
+
+
+def conjugate_reference(patch: Patch) -> None:
+    """Ad of g for Ad of its inverse."""
+    wrong = replace(catalogue.SO3, short_Ad=lambda rotation: rotation.T)
+    patch.setitem(catalogue.GROUPS, "SO3", wrong)
+
+
+def coad_with_minus(patch: Patch) -> None:
+    patch.setattr(Group, "coad", lambda self, x: -self.ad(x).T)
+
+
+def bracket_with_minus(patch: Patch) -> None:
+    """The sign of the structure constants, and with it that of eta_dot and coad."""
+    right = Group.ad
+    patch.setattr(Group, "ad", lambda self, x: -right(self, x))
+
+
+def kernel_slope_with_plus(patch: Patch) -> None:
+    patch.setattr(kernel.Arc, "fdiff", lambda self, _=2: kernel.Arc(self.args[0] + 1, self.args[1]))
+
+
+def kernel_coefficient_off(patch: Patch) -> None:
+    """One coefficient of the polynomial, by one part in 1e9."""
+    right = kernel.coefficients
+
+    def wrong(order: int, scalar: str) -> tuple[Fraction, ...]:
+        terms = list(right(order, scalar))
+        terms[3] *= 1 + Fraction(1, 10**9)
+        return tuple(terms)
+
+    patch.setattr("derive.emit.printed.coefficients", wrong)
+
+
+def quaternion_of_transpose(patch: Patch) -> None:
+    right = cover._quadruple
+    patch.setattr(cover, "_quadruple", lambda R: right(R.T))
+
+
+def rate_along_axis_doubled(patch: Patch) -> None:
+    right = kinematic._along
+    patch.setattr(kinematic, "_along", lambda w, p: 2 * right(w, p))
+
+
+def gains_exchanged(patch: Patch) -> None:
+    right = sliding._parameters
+
+    def wrong(*arguments: Any) -> tuple[Any, Any, Any]:
+        system, rate_gain, reach_gain = right(*arguments)
+        return system, reach_gain, rate_gain
+
+    patch.setattr(sliding, "_parameters", wrong)
+
+
+def half_law_for_whole(patch: Patch) -> None:
+    law = kinematic.LAWS["SO3", "log"]
+    patch.setitem(
+        kinematic.LAWS, ("SO3", "log"), replace(law, factor=lambda let, w: kernel.K(w) / 2)
+    )
+
+
+def minus_printed_as_plus(patch: Patch) -> None:
+    right = printer._signed
+    patch.setattr(printer, "_signed", lambda term: (False, right(term)[1]))
+
+
+def literals_cut_short(patch: Patch) -> None:
+    """Twelve digits of every number."""
+    right = literal.decimal
+
+    def wrong(value: Fraction, scalar: str) -> str:
+        return right(Fraction(f"{float(value):.12g}"), scalar)
+
+    for place in ("derive.emit.printer.decimal", "derive.emit.printed.decimal"):
+        patch.setattr(place, wrong)
+    patch.setattr("derive.emit.printed.c_literal", lambda v, s: wrong(v, s) + literal.SUFFIX[s])
+
+
+def root_of_absolute_forgotten(patch: Patch) -> None:
+    rules = tuple((k, (lambda v, d: "1.0") if k is sympy.Pow else r) for k, r in printer._RULES)
+    patch.setattr(printer, "_RULES", rules)
+
+
+BREAKS: tuple[Callable[[Patch], None], ...] = (
+    conjugate_reference,
+    coad_with_minus,
+    bracket_with_minus,
+    kernel_slope_with_plus,
+    kernel_coefficient_off,
+    quaternion_of_transpose,
+    rate_along_axis_doubled,
+    gains_exchanged,
+    half_law_for_whole,
+    minus_printed_as_plus,
+    literals_cut_short,
+    root_of_absolute_forgotten,
+)
+
+
+@pytest.mark.parametrize("harm", BREAKS, ids=lambda harm: harm.__name__)
+def test_a_break_turns_the_suite_red(harm: Callable[[Patch], None], monkeypatch: Patch) -> None:
+    harm(monkeypatch)
+    assert failures(verified(PAPER, each=3)) != []
+
+
+def test_a_break_on_s3_turns_the_suite_red(monkeypatch: Patch) -> None:
+    """Beyond pi the kernel goes on by k(w) = pi/s - k(-w); leave that out."""
+    monkeypatch.setattr(cover, "_full", lambda let, w, v: cover._half(let, w))
+    assert failures(verified(with_law("S3", "log"), each=3)) != []
+
+
+def test_unharmed_the_same_run_is_green() -> None:
+    assert failures(verified(PAPER, each=3)) == []
