@@ -8,7 +8,7 @@ import sympy
 
 from derive.emit import printer
 from derive.emit.printed import routine
-from derive.lie.kernel import NAMES, TINY, coefficients
+from derive.lie.kernel import NAMES, SMALL, TINY, coefficients
 from derive.routine.derivation import Derivation
 from derive.verify.truth import mp
 
@@ -18,7 +18,7 @@ ABSENT = sympy.Rational(1, 10**300)
 
 def exactly(d: Derivation, digits: int = 60, **given: Any) -> dict[str, tuple[Any, ...]]:
     """Outputs by name as mpf, from exact numbers by the name of their input."""
-    values: dict[sympy.Symbol, sympy.Expr] = {TINY: ABSENT}
+    values: dict[sympy.Symbol, sympy.Expr] = {TINY: ABSENT, SMALL: ABSENT}
     for quantity in d.inputs:
         row = [given[quantity.name]] if quantity.is_scalar else list(given[quantity.name])
         values |= zip(quantity.symbols(), map(sympy.Rational, row), strict=True)

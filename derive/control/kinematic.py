@@ -35,6 +35,7 @@ class KinematicLaw:
     doc:       one sentence
     clearance: zero where the law jumps or is not defined, None where it does neither
     is_pole:   the law or its rate has no bound near its cut: refused within a margin of it
+    source:    the paper's label
     """
 
     name: str
@@ -43,6 +44,7 @@ class KinematicLaw:
     doc: str
     clearance: Clearance | None
     is_pole: bool = False
+    source: str = "def. (KctrLaw)"
 
     def apply(
         self, d: Derivation, group: Group, g_e: Matrix, nu_e: Matrix
@@ -56,7 +58,7 @@ class KinematicLaw:
         p = d.let("p", factor, "1", "half of nu_u over v")
         fall = d.let("fall", fall, "1", "-dp/dw")
         along = d.let("along", _along(w, factor), "1", "rate of the law along the axis")
-        nu_u = d.let("nu_u", 2 * p * v, "rad", f"kinematic law, {self.doc}", "eq. (KctrLaw)")
+        nu_u = d.let("nu_u", 2 * p * v, "rad", f"kinematic law, {self.doc}", self.source)
         turn = d.let("turn", v.cross(nu_e), "rad/s", "v x nu_e")
         bend = d.let("bend", v.cross(turn), "rad/s", "v x (v x nu_e)")
         exact = along * nu_e + p * turn + fall * bend
@@ -95,14 +97,29 @@ def _sign(let: Let, w: Expr) -> Expr:
 _HALF = sympy.S.Half
 _SO3, _S3 = ("SO3",), ("S3",)
 
-_RECORDS = (
-    KinematicLaw("log", _SO3, lambda let, w: K(w), "the rotation vector", _at_pi),
+_RECORDS = (  # fmt: skip
+    KinematicLaw(
+        "log",
+        _SO3,
+        lambda let, w: K(w),
+        "the rotation vector",
+        _at_pi,
+        source="eq. (KinCtrlLawSO3)",
+    ),
     KinematicLaw("lee", _SO3, lambda let, w: _HALF, "sin(angle/2) axis", _at_pi),
     KinematicLaw("skew", _SO3, lambda let, w: w, "sin(angle) axis", None),
     KinematicLaw("gibbs", _SO3, lambda let, w: 1 / w, "2 tan(angle/2) axis", _at_pi, True),
     KinematicLaw("mrp", _SO3, lambda let, w: 2 / (1 + w), "4 tan(angle/4) axis", _at_pi),
     KinematicLaw("log", _S3, lambda let, w: K(w), "the rotation vector", _at_minus_i, True),
-    KinematicLaw("half_log", _S3, lambda let, w: K(w) / 2, "half the angle", _at_minus_i, True),
+    KinematicLaw(
+        "half_log",
+        _S3,
+        lambda let, w: K(w) / 2,
+        "half the rotation vector",
+        _at_minus_i,
+        True,
+        source="eq. (KinCtrlLawS3)",
+    ),
     KinematicLaw("mrp", _S3, lambda let, w: 2 / (1 + w), "4 v/(1 + w)", _at_minus_i, True),
     KinematicLaw("vec", _S3, lambda let, w: sympy.S.One, "2 v, smooth everywhere", None),
     KinematicLaw("sign_vec", _S3, _sign, "sign(w) v", _at_equator),

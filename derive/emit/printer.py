@@ -14,9 +14,9 @@ import sympy
 from sympy import Expr
 
 from derive.emit.literal import c_literal, decimal
-from derive.emit.target import TINY
+from derive.emit.target import CONSTANTS
 from derive.lie.kernel import NAMES, Arc
-from derive.lie.kernel import TINY as TINY_SYMBOL
+from derive.routine.cost import shared_coefficient
 
 
 @dataclass(frozen=True)
@@ -62,8 +62,8 @@ def text(value: Expr, dialect: Dialect) -> str:
 
 
 def _symbol(value: Expr, dialect: Dialect) -> str:
-    if value == TINY_SYMBOL:
-        return dialect.number(TINY[dialect.scalar], dialect.scalar)
+    if value.name in CONSTANTS:
+        return dialect.number(CONSTANTS[value.name][dialect.scalar], dialect.scalar)
     return str(value)
 
 
@@ -72,8 +72,8 @@ def _pi(value: Expr, dialect: Dialect) -> str:
 
 
 def _sum(value: Expr, dialect: Dialect) -> str:
-    content, rest = value.primitive()
-    terms = [_signed(term) for term in rest.args]
+    content, bare = shared_coefficient(value)
+    terms = [_signed(term) for term in bare]
     if all(is_negative for is_negative, _ in terms):
         content, terms = -content, [(False, term) for _, term in terms]
     if content == -1:
@@ -98,8 +98,10 @@ def _signed(term: Expr) -> tuple[bool, Expr]:
 def _product(value: Expr, dialect: Dialect) -> str:
     is_negative, value = _signed(value)
     # Not as_numer_denom, which would bring sums to a common denominator.
-    over, under = sympy.fraction(value)
-    line = "*".join(_factor(f, dialect) for f in sympy.Mul.make_args(over))
+    coefficient, rest = value.as_coeff_Mul()
+    over, under = sympy.fraction(rest)
+    factors = [f for f in (coefficient, *sympy.Mul.make_args(over)) if f != 1]
+    line = "*".join(_factor(f, dialect) for f in factors or [sympy.S.One])
     if under != 1:
         below = "*".join(_factor(f, dialect) for f in sympy.Mul.make_args(under))
         is_product = under.is_Mul or (under.is_Pow and under.exp.is_Integer)

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-TINY = {"f64": Fraction("1e-290"), "f32": Fraction("1e-30")}
-"""Rounds away beside a normal number; its reciprocal times an ulp does not overflow."""
+CONSTANTS = {
+    "TINY": {"f64": Fraction("1e-290"), "f32": Fraction("1e-30")},
+    "SMALL": {"f64": Fraction("1e-60"), "f32": Fraction("1e-10")},
+}
+"""Values of the kernel's named constants; an ulp over TINY does not overflow, nor SMALL^-3."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 from sympy import Matrix, Piecewise, pi, sqrt
 
-from derive.lie.kernel import TINY, H, K
+from derive.lie.kernel import SMALL, TINY, H, K
 
 Let = Callable[..., Any]
 """let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
@@ -96,11 +96,14 @@ def _half(let: Let, w: sympy.Expr) -> None:
 
 
 def _full(let: Let, w: sympy.Expr, v: Matrix) -> None:
-    """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w); at -i, v = 0 makes the law 0."""
+    """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w).
+
+    At -i there is no axis, and property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
+    """
     near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
     s = let("sine", sqrt(v.dot(v)), "1", "|v|")
     far = pi / (s + TINY) - near
-    value = Piecewise((near, w >= 0), (far, True), evaluate=False)
+    value = Piecewise((near, w >= 0), (far, s > SMALL), (sympy.S.Zero, True), evaluate=False)
     k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
     _divided(let, v.dot(v), w, k)
 

@@ -32,6 +32,9 @@ _DIGITS = 50
 TINY = sympy.Symbol("TINY", positive=True)
 """A positive number that rounds away beside any normal one: keeps divisors from being zero."""
 
+SMALL = sympy.Symbol("SMALL", positive=True)
+"""A sine below which an error beyond pi has no axis; its inverse cube does not overflow."""
+
 
 class Arc(sympy.Function):
     """Arc(n, w), dimensionless: the n-th derivative of arccos(w)/sqrt(1 - w^2), sign (-1)^n."""

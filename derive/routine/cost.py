@@ -51,11 +51,21 @@ def _operations(value: Expr) -> int:
     return sum(_operations(arg) for arg in value.args)
 
 
+def shared_coefficient(value: Expr) -> tuple[Expr, list[Expr]]:
+    """How a sum is computed: the coefficient its terms share up to sign, and what it multiplies.
+
+    a/2 - b/2 is 1/2 (a - b); where coefficients differ, nothing is taken out.
+    """
+    coefficients = {abs(term.as_coeff_Mul()[0]) for term in value.args}
+    shared = coefficients.pop() if len(coefficients) == 1 else sympy.S.One
+    return shared, [term / shared for term in value.args]
+
+
 def _of_sum(value: Expr) -> int:
-    content, rest = value.primitive()
-    is_negative = [term.could_extract_minus_sign() for term in rest.args]
+    content, bare = shared_coefficient(value)
+    is_negative = [term.could_extract_minus_sign() for term in bare]
     factor = content != 1 or all(is_negative)
-    terms = (-t if minus else t for t, minus in zip(rest.args, is_negative, strict=True))
+    terms = (-t if minus else t for t, minus in zip(bare, is_negative, strict=True))
     return factor + len(is_negative) - 1 + sum(map(_operations, terms))
 
 

@@ -16,7 +16,7 @@ from sympy import Matrix, Rational
 from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS
 from derive.lie.cover import Cover
-from derive.lie.kernel import TINY, exact
+from derive.lie.kernel import SMALL, TINY, exact
 from derive.routine.derivation import Derivation, Quantity
 from derive.routine.rate import rate
 
@@ -83,4 +83,5 @@ def _point(d: Derivation, group: str, rng: random.Random) -> dict[Any, Any]:
         stored = [value / square for value in stored]
     nu = [Rational(rng.randint(-50, 50), 7) for _ in range(3)]
     symbols = [symbol for quantity in d.inputs for symbol in quantity.symbols()]
-    return {**dict(zip(symbols, [*stored, *nu], strict=True)), TINY: sympy.S.Zero}
+    vanished = {TINY: sympy.S.Zero, SMALL: sympy.S.Zero}
+    return {**dict(zip(symbols, [*stored, *nu], strict=True)), **vanished}

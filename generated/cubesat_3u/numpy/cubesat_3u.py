@@ -264,32 +264,32 @@ def _law(
     eta_dot_0 = eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1
     eta_dot_1 = eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2
     eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_1*nu_e_0
-    # B: 4 q q^T, packed by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 + g_e_4 + g_e_8
-    B_1 = g_e_7 - g_e_5
-    B_2 = g_e_2 - g_e_6
-    B_3 = g_e_3 - g_e_1
-    B_4 = 1.0 + g_e_0 - g_e_4 - g_e_8
-    B_5 = g_e_1 + g_e_3
-    B_6 = g_e_2 + g_e_6
-    B_7 = 1.0 + g_e_4 - g_e_0 - g_e_8
-    B_8 = g_e_5 + g_e_7
-    B_9 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
+    B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8
+    B_1 = g_e_1 + g_e_3
+    B_2 = g_e_2 + g_e_6
+    B_3 = g_e_7 - g_e_5
+    B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8
+    B_5 = g_e_5 + g_e_7
+    B_6 = g_e_2 - g_e_6
+    B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    B_8 = g_e_3 - g_e_1
+    B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8
     # column: a column of B that cannot vanish [1]
-    column_if_0 = B_0.real >= 1.0
-    column_if_1 = (B_4.real >= B_7.real) & (B_4.real >= B_9.real)
-    column_if_2 = B_7.real >= B_9.real
+    column_if_0 = B_9.real >= 1.0
+    column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
+    column_if_2 = B_4.real >= B_7.real
     column_0 = (
-        np.where(column_if_0, B_0, np.where(column_if_1, B_1, np.where(column_if_2, B_2, B_3)))
+        np.where(column_if_0, B_3, np.where(column_if_1, B_0, np.where(column_if_2, B_1, B_2)))
     )
     column_1 = (
-        np.where(column_if_0, B_1, np.where(column_if_1, B_4, np.where(column_if_2, B_5, B_6)))
+        np.where(column_if_0, B_6, np.where(column_if_1, B_1, np.where(column_if_2, B_4, B_5)))
     )
     column_2 = (
-        np.where(column_if_0, B_2, np.where(column_if_1, B_5, np.where(column_if_2, B_7, B_8)))
+        np.where(column_if_0, B_8, np.where(column_if_1, B_2, np.where(column_if_2, B_5, B_7)))
     )
     column_3 = (
-        np.where(column_if_0, B_3, np.where(column_if_1, B_6, np.where(column_if_2, B_8, B_9)))
+        np.where(column_if_0, B_9, np.where(column_if_1, B_3, np.where(column_if_2, B_6, B_8)))
     )
     # power: the column after one power step [1]
     power_0 = B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3
@@ -299,19 +299,19 @@ def _law(
     # norm: its length [1]
     norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
-    scale_if_0 = power_0.real < 0.0
+    scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
     # w: cos of half the error angle [1]
-    w = power_0*scale
+    w = power_3*scale
     # v: sin of half the error angle times its axis [1]
-    v_0 = power_1*scale
-    v_1 = power_2*scale
-    v_2 = power_3*scale
+    v_0 = power_0*scale
+    v_1 = power_1*scale
+    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
     h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
-    # nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw)
+    # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
     nu_u_2 = 2.0*k*v_2
@@ -373,32 +373,32 @@ def _reaching(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8]
     )
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
-    # B: 4 q q^T, packed by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 + g_4 + g_8
-    B_1 = g_7 - g_5
-    B_2 = g_2 - g_6
-    B_3 = g_3 - g_1
-    B_4 = 1.0 + g_0 - g_4 - g_8
-    B_5 = g_1 + g_3
-    B_6 = g_2 + g_6
-    B_7 = 1.0 + g_4 - g_0 - g_8
-    B_8 = g_5 + g_7
-    B_9 = 1.0 + g_8 - g_0 - g_4
+    # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
+    B_0 = 1.0 + g_0 - g_4 - g_8
+    B_1 = g_1 + g_3
+    B_2 = g_2 + g_6
+    B_3 = g_7 - g_5
+    B_4 = 1.0 + g_4 - g_0 - g_8
+    B_5 = g_5 + g_7
+    B_6 = g_2 - g_6
+    B_7 = 1.0 + g_8 - g_0 - g_4
+    B_8 = g_3 - g_1
+    B_9 = 1.0 + g_0 + g_4 + g_8
     # column: a column of B that cannot vanish [1]
-    column_if_0 = B_0.real >= 1.0
-    column_if_1 = (B_4.real >= B_7.real) & (B_4.real >= B_9.real)
-    column_if_2 = B_7.real >= B_9.real
+    column_if_0 = B_9.real >= 1.0
+    column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
+    column_if_2 = B_4.real >= B_7.real
     column_0 = (
-        np.where(column_if_0, B_0, np.where(column_if_1, B_1, np.where(column_if_2, B_2, B_3)))
+        np.where(column_if_0, B_3, np.where(column_if_1, B_0, np.where(column_if_2, B_1, B_2)))
     )
     column_1 = (
-        np.where(column_if_0, B_1, np.where(column_if_1, B_4, np.where(column_if_2, B_5, B_6)))
+        np.where(column_if_0, B_6, np.where(column_if_1, B_1, np.where(column_if_2, B_4, B_5)))
     )
     column_2 = (
-        np.where(column_if_0, B_2, np.where(column_if_1, B_5, np.where(column_if_2, B_7, B_8)))
+        np.where(column_if_0, B_8, np.where(column_if_1, B_2, np.where(column_if_2, B_5, B_7)))
     )
     column_3 = (
-        np.where(column_if_0, B_3, np.where(column_if_1, B_6, np.where(column_if_2, B_8, B_9)))
+        np.where(column_if_0, B_9, np.where(column_if_1, B_3, np.where(column_if_2, B_6, B_8)))
     )
     # power: the column after one power step [1]
     power_0 = B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3
@@ -408,19 +408,19 @@ def _reaching(
     # norm: its length [1]
     norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
-    scale_if_0 = power_0.real < 0.0
+    scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
     # w: cos of half the error angle [1]
-    w = power_0*scale
+    w = power_3*scale
     # v: sin of half the error angle times its axis [1]
-    v_0 = power_1*scale
-    v_1 = power_2*scale
-    v_2 = power_3*scale
+    v_0 = power_0*scale
+    v_1 = power_1*scale
+    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
     h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
-    # nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw)
+    # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
     nu_u_2 = 2.0*k*v_2

@@ -291,13 +291,17 @@ def _law(
     sine = np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k = np.where(k_if_0, k_near, 3.141592653589793/(sine + 1.0e-290) - k_near)
+    k_if_1 = sine.real > 1.0e-60.real
+    k = (
+        np.where(k_if_0, k_near, np.where(k_if_1, 3.141592653589793/(sine + 1.0e-290) - k_near,
+        0.0))
+    )
     # h: -dk/dw, as (1 - w k)/s^2 [1]
     h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
     # distance: distance from -i [1]
     distance_if_0 = w.real < 0.0
     distance = np.where(distance_if_0, np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2), 1.0)
-    # nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw)
+    # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
     nu_u_2 = 2.0*k*v_2
@@ -373,10 +377,14 @@ def _reaching(
     sine = np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k = np.where(k_if_0, k_near, 3.141592653589793/(sine + 1.0e-290) - k_near)
+    k_if_1 = sine.real > 1.0e-60.real
+    k = (
+        np.where(k_if_0, k_near, np.where(k_if_1, 3.141592653589793/(sine + 1.0e-290) - k_near,
+        0.0))
+    )
     # h: -dk/dw, as (1 - w k)/s^2 [1]
     h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
-    # nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw)
+    # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
     nu_u_2 = 2.0*k*v_2

@@ -1,5 +1,5 @@
 /*
- * paper_s3_f32: gsmc on S3, law half_log (half the angle), float precision.
+ * paper_s3_f32: gsmc on S3, law half_log (half the rotation vector), float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_s3_f32.h"
@@ -110,8 +110,10 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-10F) {
         k = 3.1415927F/(sine + 1.0e-30F) - k_near;
+    } else {
+        k = 0.0F;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
@@ -126,12 +128,12 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     }
 
     /* p: half of nu_u over v [1] */
-    const float p = k/2.0F;
+    const float p = 0.5F*k;
 
     /* fall: -dp/dw [1] */
-    const float fall = h/2.0F;
+    const float fall = 0.5F*h;
 
-    /* nu_u: kinematic law, half the angle [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const float nu_u_0 = 2.0F*p*v_0;
     const float nu_u_1 = 2.0F*p*v_1;
     const float nu_u_2 = 2.0F*p*v_2;
@@ -147,9 +149,9 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*(nu_e_0 + 2.0F*bend_0*fall + 2.0F*p*turn_0);
-    const float nu_u_dot_1 = 0.5F*(nu_e_1 + 2.0F*bend_1*fall + 2.0F*p*turn_1);
-    const float nu_u_dot_2 = 0.5F*(nu_e_2 + 2.0F*bend_2*fall + 2.0F*p*turn_2);
+    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*fall + p*turn_0;
+    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*fall + p*turn_1;
+    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*fall + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -322,20 +324,22 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-10F) {
         k = 3.1415927F/(sine + 1.0e-30F) - k_near;
+    } else {
+        k = 0.0F;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
     const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
 
     /* p: half of nu_u over v [1] */
-    const float p = k/2.0F;
+    const float p = 0.5F*k;
 
     /* fall: -dp/dw [1] */
-    const float fall = h/2.0F;
+    const float fall = 0.5F*h;
 
-    /* nu_u: kinematic law, half the angle [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const float nu_u_0 = 2.0F*p*v_0;
     const float nu_u_1 = 2.0F*p*v_1;
     const float nu_u_2 = 2.0F*p*v_2;
@@ -351,9 +355,9 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*(nu_0 + 2.0F*bend_0*fall + 2.0F*p*turn_0);
-    const float nu_u_dot_1 = 0.5F*(nu_1 + 2.0F*bend_1*fall + 2.0F*p*turn_1);
-    const float nu_u_dot_2 = 0.5F*(nu_2 + 2.0F*bend_2*fall + 2.0F*p*turn_2);
+    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*fall + p*turn_0;
+    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*fall + p*turn_1;
+    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*fall + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;

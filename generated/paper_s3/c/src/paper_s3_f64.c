@@ -1,5 +1,5 @@
 /*
- * paper_s3_f64: gsmc on S3, law half_log (half the angle), double precision.
+ * paper_s3_f64: gsmc on S3, law half_log (half the rotation vector), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_s3_f64.h"
@@ -122,8 +122,10 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     double k;
     if (w >= 0.0) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-60) {
         k = 3.141592653589793/(sine + 1.0e-290) - k_near;
+    } else {
+        k = 0.0;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
@@ -138,12 +140,12 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     }
 
     /* p: half of nu_u over v [1] */
-    const double p = k/2.0;
+    const double p = 0.5*k;
 
     /* fall: -dp/dw [1] */
-    const double fall = h/2.0;
+    const double fall = 0.5*h;
 
-    /* nu_u: kinematic law, half the angle [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
     const double nu_u_1 = 2.0*p*v_1;
     const double nu_u_2 = 2.0*p*v_2;
@@ -159,9 +161,9 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*(nu_e_0 + 2.0*bend_0*fall + 2.0*p*turn_0);
-    const double nu_u_dot_1 = 0.5*(nu_e_1 + 2.0*bend_1*fall + 2.0*p*turn_1);
-    const double nu_u_dot_2 = 0.5*(nu_e_2 + 2.0*bend_2*fall + 2.0*p*turn_2);
+    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*fall + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*fall + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*fall + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -334,20 +336,22 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     double k;
     if (w >= 0.0) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-60) {
         k = 3.141592653589793/(sine + 1.0e-290) - k_near;
+    } else {
+        k = 0.0;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
     const double h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2);
 
     /* p: half of nu_u over v [1] */
-    const double p = k/2.0;
+    const double p = 0.5*k;
 
     /* fall: -dp/dw [1] */
-    const double fall = h/2.0;
+    const double fall = 0.5*h;
 
-    /* nu_u: kinematic law, half the angle [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
     const double nu_u_1 = 2.0*p*v_1;
     const double nu_u_2 = 2.0*p*v_2;
@@ -363,9 +367,9 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*(nu_0 + 2.0*bend_0*fall + 2.0*p*turn_0);
-    const double nu_u_dot_1 = 0.5*(nu_1 + 2.0*bend_1*fall + 2.0*p*turn_1);
-    const double nu_u_dot_2 = 0.5*(nu_2 + 2.0*bend_2*fall + 2.0*p*turn_2);
+    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*fall + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*fall + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*fall + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;

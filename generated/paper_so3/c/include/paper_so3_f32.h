@@ -68,12 +68,12 @@ paper_so3_f32_status paper_so3_f32_control(const paper_so3_f32_params *params,
         paper_so3_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   257 operations, 74 temporaries. */
+   254 operations, 74 temporaries. */
 void paper_so3_f32_tracking(const paper_so3_f32_params *params, const paper_so3_f32_state *state,
         const paper_so3_f32_reference *reference, paper_so3_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   164 operations, 53 temporaries. */
+   161 operations, 53 temporaries. */
 void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_f32_state *state,
         paper_so3_f32_command *command);
 

@@ -95,40 +95,40 @@ static void paper_so3_f64_law(const paper_so3_f64_params *params, const paper_so
     const double eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 -
         eta_1*nu_e_0;
 
-    /* B: 4 q q^T, packed by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_e_0 + g_e_4 + g_e_8;
-    const double B_1 = g_e_7 - g_e_5;
-    const double B_2 = g_e_2 - g_e_6;
-    const double B_3 = g_e_3 - g_e_1;
-    const double B_4 = 1.0 + g_e_0 - g_e_4 - g_e_8;
-    const double B_5 = g_e_1 + g_e_3;
-    const double B_6 = g_e_2 + g_e_6;
-    const double B_7 = 1.0 + g_e_4 - g_e_0 - g_e_8;
-    const double B_8 = g_e_5 + g_e_7;
-    const double B_9 = 1.0 + g_e_8 - g_e_0 - g_e_4;
+    /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
+    const double B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8;
+    const double B_1 = g_e_1 + g_e_3;
+    const double B_2 = g_e_2 + g_e_6;
+    const double B_3 = g_e_7 - g_e_5;
+    const double B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8;
+    const double B_5 = g_e_5 + g_e_7;
+    const double B_6 = g_e_2 - g_e_6;
+    const double B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4;
+    const double B_8 = g_e_3 - g_e_1;
+    const double B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
-    if (B_0 >= 1.0) {
-        column_0 = B_0;
-        column_1 = B_1;
-        column_2 = B_2;
-        column_3 = B_3;
-    } else if ((B_4 >= B_7) && (B_4 >= B_9)) {
-        column_0 = B_1;
-        column_1 = B_4;
-        column_2 = B_5;
-        column_3 = B_6;
-    } else if (B_7 >= B_9) {
-        column_0 = B_2;
-        column_1 = B_5;
-        column_2 = B_7;
-        column_3 = B_8;
-    } else {
+    if (B_9 >= 1.0) {
         column_0 = B_3;
         column_1 = B_6;
         column_2 = B_8;
         column_3 = B_9;
+    } else if ((B_0 >= B_4) && (B_0 >= B_7)) {
+        column_0 = B_0;
+        column_1 = B_1;
+        column_2 = B_2;
+        column_3 = B_3;
+    } else if (B_4 >= B_7) {
+        column_0 = B_1;
+        column_1 = B_4;
+        column_2 = B_5;
+        column_3 = B_6;
+    } else {
+        column_0 = B_2;
+        column_1 = B_5;
+        column_2 = B_7;
+        column_3 = B_8;
     }
 
     /* power: the column after one power step [1] */
@@ -143,19 +143,19 @@ static void paper_so3_f64_law(const paper_so3_f64_params *params, const paper_so
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
-    if (power_0 < 0.0) {
+    if (power_3 < 0.0) {
         scale = -1.0/norm;
     } else {
         scale = 1.0/norm;
     }
 
     /* w: cos of half the error angle [1] */
-    const double w = power_0*scale;
+    const double w = power_3*scale;
 
     /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = power_1*scale;
-    const double v_1 = power_2*scale;
-    const double v_2 = power_3*scale;
+    const double v_0 = power_0*scale;
+    const double v_1 = power_1*scale;
+    const double v_2 = power_2*scale;
 
     /* k: half angle over its sine [1] */
     const double k = paper_so3_f64_k(w);
@@ -163,7 +163,7 @@ static void paper_so3_f64_law(const paper_so3_f64_params *params, const paper_so
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
     const double h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w));
 
-    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const double nu_u_0 = 2.0*k*v_0;
     const double nu_u_1 = 2.0*k*v_1;
     const double nu_u_2 = 2.0*k*v_2;
@@ -346,40 +346,40 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
         g_8 = state->g[8];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* B: 4 q q^T, packed by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_0 + g_4 + g_8;
-    const double B_1 = g_7 - g_5;
-    const double B_2 = g_2 - g_6;
-    const double B_3 = g_3 - g_1;
-    const double B_4 = 1.0 + g_0 - g_4 - g_8;
-    const double B_5 = g_1 + g_3;
-    const double B_6 = g_2 + g_6;
-    const double B_7 = 1.0 + g_4 - g_0 - g_8;
-    const double B_8 = g_5 + g_7;
-    const double B_9 = 1.0 + g_8 - g_0 - g_4;
+    /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
+    const double B_0 = 1.0 + g_0 - g_4 - g_8;
+    const double B_1 = g_1 + g_3;
+    const double B_2 = g_2 + g_6;
+    const double B_3 = g_7 - g_5;
+    const double B_4 = 1.0 + g_4 - g_0 - g_8;
+    const double B_5 = g_5 + g_7;
+    const double B_6 = g_2 - g_6;
+    const double B_7 = 1.0 + g_8 - g_0 - g_4;
+    const double B_8 = g_3 - g_1;
+    const double B_9 = 1.0 + g_0 + g_4 + g_8;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
-    if (B_0 >= 1.0) {
-        column_0 = B_0;
-        column_1 = B_1;
-        column_2 = B_2;
-        column_3 = B_3;
-    } else if ((B_4 >= B_7) && (B_4 >= B_9)) {
-        column_0 = B_1;
-        column_1 = B_4;
-        column_2 = B_5;
-        column_3 = B_6;
-    } else if (B_7 >= B_9) {
-        column_0 = B_2;
-        column_1 = B_5;
-        column_2 = B_7;
-        column_3 = B_8;
-    } else {
+    if (B_9 >= 1.0) {
         column_0 = B_3;
         column_1 = B_6;
         column_2 = B_8;
         column_3 = B_9;
+    } else if ((B_0 >= B_4) && (B_0 >= B_7)) {
+        column_0 = B_0;
+        column_1 = B_1;
+        column_2 = B_2;
+        column_3 = B_3;
+    } else if (B_4 >= B_7) {
+        column_0 = B_1;
+        column_1 = B_4;
+        column_2 = B_5;
+        column_3 = B_6;
+    } else {
+        column_0 = B_2;
+        column_1 = B_5;
+        column_2 = B_7;
+        column_3 = B_8;
     }
 
     /* power: the column after one power step [1] */
@@ -394,19 +394,19 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
-    if (power_0 < 0.0) {
+    if (power_3 < 0.0) {
         scale = -1.0/norm;
     } else {
         scale = 1.0/norm;
     }
 
     /* w: cos of half the error angle [1] */
-    const double w = power_0*scale;
+    const double w = power_3*scale;
 
     /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = power_1*scale;
-    const double v_1 = power_2*scale;
-    const double v_2 = power_3*scale;
+    const double v_0 = power_0*scale;
+    const double v_1 = power_1*scale;
+    const double v_2 = power_2*scale;
 
     /* k: half angle over its sine [1] */
     const double k = paper_so3_f64_k(w);
@@ -414,7 +414,7 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
     const double h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w));
 
-    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const double nu_u_0 = 2.0*k*v_0;
     const double nu_u_1 = 2.0*k*v_1;
     const double nu_u_2 = 2.0*k*v_2;

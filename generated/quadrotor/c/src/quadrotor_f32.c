@@ -109,8 +109,10 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-10F) {
         k = 3.1415927F/(sine + 1.0e-30F) - k_near;
+    } else {
+        k = 0.0F;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
@@ -124,7 +126,7 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
         distance = 1.0F;
     }
 
-    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
     const float nu_u_0 = 2.0F*k*v_0;
     const float nu_u_1 = 2.0F*k*v_1;
     const float nu_u_2 = 2.0F*k*v_2;
@@ -303,14 +305,16 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-10F) {
         k = 3.1415927F/(sine + 1.0e-30F) - k_near;
+    } else {
+        k = 0.0F;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
     const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
 
-    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
     const float nu_u_0 = 2.0F*k*v_0;
     const float nu_u_1 = 2.0F*k*v_1;
     const float nu_u_2 = 2.0F*k*v_2;

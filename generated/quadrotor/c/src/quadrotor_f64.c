@@ -121,8 +121,10 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
     double k;
     if (w >= 0.0) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-60) {
         k = 3.141592653589793/(sine + 1.0e-290) - k_near;
+    } else {
+        k = 0.0;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
@@ -136,7 +138,7 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
         distance = 1.0;
     }
 
-    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
     const double nu_u_0 = 2.0*k*v_0;
     const double nu_u_1 = 2.0*k*v_1;
     const double nu_u_2 = 2.0*k*v_2;
@@ -315,14 +317,16 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
     double k;
     if (w >= 0.0) {
         k = k_near;
-    } else {
+    } else if (sine > 1.0e-60) {
         k = 3.141592653589793/(sine + 1.0e-290) - k_near;
+    } else {
+        k = 0.0;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
     const double h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2);
 
-    /* nu_u: kinematic law, the rotation vector [rad], eq. (KctrLaw) */
+    /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
     const double nu_u_0 = 2.0*k*v_0;
     const double nu_u_1 = 2.0*k*v_1;
     const double nu_u_2 = 2.0*k*v_2;
