@@ -7,6 +7,7 @@ import json
 import sys
 import tempfile
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
 
 from bench import instructions, size, throughput, waiting
@@ -25,7 +26,8 @@ PARTS: dict[str, Measure] = {
 def shown(figure: Figure) -> str:
     """One line of the table."""
     value = f"{figure.value:,.0f}" if figure.value >= 100 else f"{figure.value:.3g}"
-    line = f"{figure.name:44} {value:>12} {figure.unit:12}"
+    spread = "" if figure.least in (None, figure.value) else f" (least {figure.least:,.0f})"
+    line = f"{figure.name:34} {value:>10} {figure.unit + spread:26}"
     if figure.limit is None:
         return line.rstrip()
     verdict = "ok" if figure.is_within else "EXCEEDED"
@@ -35,7 +37,7 @@ def shown(figure: Figure) -> str:
 def as_data(figure: Figure) -> dict[str, object]:
     """What a machine reads of a figure."""
     limit = figure.limit.figure if figure.limit else None
-    return {"name": figure.name, "value": figure.value, "unit": figure.unit, "limit": limit}
+    return {**asdict(figure), "limit": limit}
 
 
 def main() -> int:

@@ -80,13 +80,12 @@ def calls(name: str, scalar: str, routine: str, folder: Path) -> list[int]:
 
 
 def measure(folder: Path) -> list[Figure]:
-    """The most, and beside it the least, of every routine, vehicle and scalar."""
+    """Every routine, vehicle and scalar."""
     figures = []
     for name in MEASURED:
         for scalar in ("f64", "f32"):
             for routine in ROUTINES:
                 counts = calls(name, scalar, routine, folder)
                 label = f"{name} {scalar} {routine}"
-                figures.append(Figure(label, max(counts), "instructions"))
-                figures.append(Figure(f"{label}, least", min(counts), "instructions"))
+                figures.append(Figure(label, max(counts), "instructions", min(counts)))
     return figures

@@ -28,16 +28,18 @@ LIMITS = {limit.name: limit for limit in _TABLE}
 
 @dataclass(frozen=True)
 class Figure:
-    """One measured cost."""
+    """One measured cost: the most, and where it varies from case to case the least."""
 
     name: str
     value: float
     unit: str
+    least: float | None = None
 
     @property
     def limit(self) -> Limit | None:
         """What it may be at most, where something was promised."""
-        return LIMITS.get(self.name)
+        limit = LIMITS.get(self.name)
+        return limit if limit and limit.unit == self.unit else None
 
     @property
     def is_within(self) -> bool:

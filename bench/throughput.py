@@ -17,7 +17,7 @@ ROWS = 20_000
 
 
 def plain(inertia: Array, rate_gain: float, reach_gain: float, x: dict[str, Array]) -> Array:
-    """The tracking force on SO(3) as one would write it down: arccos of the trace, einsum, cross."""
+    """The tracking force on SO(3) as one would write it down: arccos of the trace, einsum."""
     g_e = np.einsum("...ji,...jk->...ik", x["g_r"], x["g"])
     eta = np.einsum("...ji,...j->...i", g_e, x["nu_r"])
     nu_e = x["nu"] - eta
@@ -32,7 +32,8 @@ def plain(inertia: Array, rate_gain: float, reach_gain: float, x: dict[str, Arra
     wanted = eta_dot - rate_gain * nu_u_dot - reach_gain * s
     momentum = np.einsum("ij,...j->...i", inertia, x["nu"])
     turning = rate_gain * nu_u - eta
-    return np.cross(momentum, turning) + np.einsum("ij,...j->...i", inertia, wanted)
+    force = np.cross(momentum, turning) + np.einsum("ij,...j->...i", inertia, wanted)
+    return np.asarray(force)
 
 
 def rows() -> dict[str, Array]:

@@ -97,7 +97,7 @@ def _sign(let: Let, w: Expr) -> Expr:
 _HALF = sympy.S.Half
 _SO3, _S3 = ("SO3",), ("S3",)
 
-_RECORDS = (  # fmt: skip
+_RECORDS = (
     KinematicLaw(
         "log",
         _SO3,

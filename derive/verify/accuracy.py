@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import reference, truth
+from derive.verify import reference, sample, truth
 from derive.verify.backend import Backend
 from derive.verify.check import Check
 from derive.verify.limits import EPS
@@ -34,6 +34,18 @@ def accuracy(subject: Subject) -> Iterator[Check]:
             if subject.vehicle.law in LOGS:
                 back = _exp_error(subject, table, found["nu_u"])
                 yield from _split("exp(log) = identity", backend, back, "log", states, beyond)
+
+
+def ties(subject: Subject) -> Iterator[Check]:
+    """At exact rotations by pi every backend must take the side that the conventions name."""
+    if subject.vehicle.group != "SO3":
+        return
+    for scalar, backends in by_scalar(subject):
+        states = sample.ties(scalar, np.random.default_rng(subject.seed))
+        table = reference.reaching(subject.vehicle, states, scalar).first()
+        for backend in backends:
+            error = table.errors(backend.run(subject.law, states))["nu_u"] / EPS[scalar]
+            yield worst("nu_u: side at the cut", backend.name, error, "log", states)
 
 
 def forces(subject: Subject) -> Iterator[Check]:

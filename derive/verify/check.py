@@ -10,7 +10,10 @@ from derive.verify.limits import Limit
 
 @dataclass(frozen=True)
 class Check:
-    """One line of evidence; a measurement that is not a number never passes."""
+    """One line of evidence; a measurement that is not a number never passes.
+
+    worst: where it was worst; details: what a machine may want to list besides
+    """
 
     name: str
     subject: str
@@ -18,6 +21,7 @@ class Check:
     limit: Limit
     samples: int
     worst: str = ""
+    details: tuple[str, ...] = ()
 
     @property
     def is_ok(self) -> bool:

@@ -45,8 +45,9 @@ def mutation(
             f"{caught} caught, {len(outcome.equivalent)} move nothing by {outcome.bound:.2g} eps"
         )
         missed = float(len(outcome.missed))
-        yield Check(f"mutants missed: {d.name}", "derivation", missed, LIMITS["rows"],
-                    outcome.tried, told)  # fmt: skip
+        listed = tuple(f"{what}: {moved:.2g} eps" for what, moved in outcome.equivalent)
+        name, rows = f"mutants missed: {d.name}", LIMITS["rows"]
+        yield Check(name, "derivation", missed, rows, outcome.tried, told, listed)
 
 
 def outcomes(

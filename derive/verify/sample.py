@@ -58,9 +58,9 @@ class States:
 
     def described(self, row: int) -> str:
         """The state in words, for a report."""
-        axis = " ".join(f"{x:.3g}" for x in self.axis[row])
-        nu = " ".join(f"{x:.3g}" for x in self.nu[row])
-        return f"angle {self.angle[row]:.16g}, axis ({axis}), nu ({nu})"
+        axis = " ".join(f"{x:.2g}" for x in self.axis[row])
+        nu = " ".join(f"{x:.2g}" for x in self.nu[row])
+        return f"phi={self.angle[row]:.16g} n=({axis}) nu=({nu})"
 
 
 def angles(group: str, law: str) -> tuple[float, ...]:
