@@ -18,7 +18,7 @@ from sympy import Expr, Matrix, Piecewise, sqrt
 
 from derive.lie.cover import Let
 from derive.lie.group import Group
-from derive.lie.kernel import H, K
+from derive.lie.kernel import SMALL, H, K
 from derive.routine.derivation import Derivation
 from derive.routine.rate import rate
 
@@ -54,10 +54,10 @@ class KinematicLaw:
         w, v = error.w, error.v
         clearance = self.clearance(d.let, w, v) if self.clearance else sympy.S.One
         factor = self.factor(d.let, w)
-        fall = -rate(d, Matrix([factor]), {w: sympy.S.One})[0]
+        slope = rate(d, Matrix([factor]), {w: sympy.S.One})[0]
         p = d.let("p", factor, "1", "half of nu_u over v")
-        fall = d.let("fall", fall, "1", "-dp/dw")
-        along = d.let("along", _along(w, factor), "1", "rate of the law along the axis")
+        fall = d.let("fall", -slope, "1", "-dp/dw")
+        along = d.let("along", _along(w, factor, slope), "1", "rate of the law along the axis")
         nu_u = d.let("nu_u", 2 * p * v, "rad", f"kinematic law, {self.doc}", self.source)
         turn = d.let("turn", v.cross(nu_e), "rad/s", "v x nu_e")
         bend = d.let("bend", v.cross(turn), "rad/s", "v x (v x nu_e)")
@@ -66,9 +66,9 @@ class KinematicLaw:
         return nu_u, nu_u_dot, clearance
 
 
-def _along(w: Expr, p: Expr) -> Expr:
+def _along(w: Expr, p: Expr, slope: Expr) -> Expr:
     """p w - p' s^2 in lowest terms, by s^2 = 1 - w^2 and s^2 h = 1 - w k."""
-    value = p * w - sympy.diff(p, w) * (1 - w**2)
+    value = p * w - slope * (1 - w**2)
     value = value.xreplace({H(w): (1 - w * K(w)) / (1 - w**2)})
     return sympy.factor(sympy.cancel(value))
 
@@ -94,6 +94,11 @@ def _sign(let: Let, w: Expr) -> Expr:
     return let("sign", value, "1", "sign of w, + at zero") / 2
 
 
+def _off(let: Let, distance: Expr) -> Expr:
+    """A distance from a pole that is never zero: what is refused there stays finite."""
+    return let("off", distance + SMALL, "1", "distance from the pole")
+
+
 _HALF = sympy.S.Half
 _SO3, _S3 = ("SO3",), ("S3",)
 
@@ -108,7 +113,9 @@ _RECORDS = (
     ),
     KinematicLaw("lee", _SO3, lambda let, w: _HALF, "sin(angle/2) axis", _at_pi),
     KinematicLaw("skew", _SO3, lambda let, w: w, "sin(angle) axis", None),
-    KinematicLaw("gibbs", _SO3, lambda let, w: 1 / w, "2 tan(angle/2) axis", _at_pi, True),
+    KinematicLaw(
+        "gibbs", _SO3, lambda let, w: 1 / _off(let, w), "2 tan(angle/2) axis", _at_pi, True
+    ),
     KinematicLaw("mrp", _SO3, lambda let, w: 2 / (1 + w), "4 tan(angle/4) axis", _at_pi),
     KinematicLaw("log", _S3, lambda let, w: K(w), "the rotation vector", _at_minus_i, True),
     KinematicLaw(
@@ -120,7 +127,7 @@ _RECORDS = (
         True,
         source="eq. (KinCtrlLawS3)",
     ),
-    KinematicLaw("mrp", _S3, lambda let, w: 2 / (1 + w), "4 v/(1 + w)", _at_minus_i, True),
+    KinematicLaw("mrp", _S3, lambda let, w: 2 / _off(let, 1 + w), "4 v/(1 + w)", _at_minus_i, True),
     KinematicLaw("vec", _S3, lambda let, w: sympy.S.One, "2 v, smooth everywhere", None),
     KinematicLaw("sign_vec", _S3, _sign, "sign(w) v", _at_equator),
 )

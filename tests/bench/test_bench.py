@@ -59,6 +59,7 @@ def test_sizes_and_operations_are_found(tmp_path: Path) -> None:
     whole = figures["paper_so3 f64, all code", "bytes"]
     parts = [v for (name, unit), v in figures.items() if name.startswith("paper_so3 f64 ")]
     assert whole == sum(parts) > 1000
+    assert {"tracking", "law", "control"} <= {name.split()[-1] for name, _ in figures}
     assert 100 < figures["paper_so3 tracking", "operations"] < 400
 
 

@@ -51,13 +51,13 @@ def stacked(rows: list[Row]) -> Row:
     return {field: np.array([row[field] for row in rows]) for field in rows[0]}
 
 
-def by_numpy(vehicle: Vehicle, rows: Row, folder: Path) -> Any:
+def by_numpy(vehicle: Vehicle, rows: Row, folder: Path, **given: Any) -> Any:
     shape = GROUPS[vehicle.group].shape
     shaped = {
         name: value.reshape(-1, *shape) if name in ("g", "g_r") else value
         for name, value in rows.items()
     }
-    return module(vehicle, folder).control(**shaped)
+    return module(vehicle, folder).control(**shaped, **given)
 
 
 def called(built: Library, rows: Row, **given: Any) -> dict[str, Array]:
@@ -142,6 +142,14 @@ def test_unchecked_parameters_give_a_finite_force(
             got = called(built, row, params=bad)
             assert got["status"] == NONFINITE
             assert not any(got[field].any() for field in COMMAND)
+    made, wide = module(vehicle, folder), {name: value[None] for name, value in row.items()}
+    for name in made.DEFAULTS._fields:
+        params = made.DEFAULTS._replace(
+            **{name: np.full_like(getattr(made.DEFAULTS, name), np.nan)}
+        )
+        command = by_numpy(vehicle, wide, folder, params=params)
+        assert command.status.tolist() == [NONFINITE]
+        assert not any(getattr(command, field).any() for field in COMMAND)
 
 
 def elements(vehicle: Vehicle, scalar: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import py_compile
 import subprocess
 import sys
@@ -124,8 +125,10 @@ def test_a_wrong_shape_is_refused(folder: Path, vehicle: Vehicle) -> None:
     made, good = module(vehicle, folder), inputs(vehicle, (2,))
     for routine in (made.control, law(made, vehicle)):
         for name, value in good.items():
-            short, scalar = value[..., :-1], np.array(1.0)
-            for wrong in (short, np.concatenate([value, value], -1), scalar):
+            wrongs = [value[..., :-1], np.concatenate([value, value], -1), np.array(1.0)]
+            if len(GROUPS[vehicle.group].shape) == 2 and name.startswith("g"):
+                wrongs += [value[..., :-1, :], value.reshape(len(value), -1)]
+            for wrong in wrongs:
                 with pytest.raises(ValueError, match=r"expected an array \(\.\.\., "):
                     routine(**{**good, name: wrong})
         with pytest.raises(ValueError, match="broadcast"):
@@ -174,15 +177,15 @@ def test_the_plant_takes_any_batch(folder: Path, vehicle: Vehicle) -> None:
 def test_narrow_numbers_are_computed_in_double(folder: Path, vehicle: Vehicle) -> None:
     made = module(vehicle, folder)
     identity = np.reshape(GROUPS[vehicle.group].identity, GROUPS[vehicle.group].shape)
-    given = inputs(vehicle, (3,))
-    given |= {"nu": given["nu"].astype(np.float32)}
-    if is_tracking(vehicle):
-        given |= {"nu_r": given["nu_r"].astype(np.float32)}
+    drawn = inputs(vehicle, (3,))
+    given = {name: value.astype(np.float32) for name, value in drawn.items()}
     wide = {name: value.astype(float) for name, value in given.items()}
-    np.testing.assert_array_equal(made.control(**given).force, made.control(**wide).force)
+    bare = law(made, vehicle)
+    np.testing.assert_array_equal(bare(**given).force, bare(**wide).force)
     whole: dict[str, Array] = {
         name: np.full(3, 100, np.int8) for name in given if name.startswith("nu")
     }
+    whole |= {"nu": np.full(3, -100, np.int8)}  # its distance from nu_r is beyond int8
     whole |= {name: identity.astype(np.int8) for name in given if name.startswith("g")}
     wide = {name: value.astype(float) for name, value in whole.items()}
     np.testing.assert_array_equal(made.control(**whole).force, made.control(**wide).force)
@@ -232,3 +235,14 @@ print(sorted(name for name in third if not name.startswith('_')))
     assert "numpy" in done.stdout
     assert "derive" not in done.stdout
     assert "scipy" not in done.stdout
+
+
+@pytest.mark.parametrize("vehicle", subjects.ALL, ids=lambda v: v.name)
+def test_nothing_is_computed_or_unpacked_in_vain(vehicle: Vehicle) -> None:
+    """What C compilers warn of, held for Python too: every local name is read."""
+    tree = ast.parse(subjects.texts(vehicle)[f"numpy/{vehicle.name}.py"])
+    for function in (node for node in tree.body if isinstance(node, ast.FunctionDef)):
+        names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
+        written = {node.id for node in names if isinstance(node.ctx, ast.Store)}
+        read = {node.id for node in names if isinstance(node.ctx, ast.Load)}
+        assert written <= read, function.name

@@ -67,6 +67,9 @@ def indefinite(vehicle: Vehicle, inertia: Array) -> Iterator[Changed]:
             yield f"coupling {index}", {"inertia": changed(inertia, index, 20.0)}
     if all(vehicle.pattern):
         yield "of rank one", {"inertia": upper(np.ones((n, n)))}
+        factor = np.tril(np.ones((n, n)))
+        last = np.diag([*np.ones(n - 1), 0.0])
+        yield "its last pivot zero", {"inertia": upper(factor @ last @ factor.T)}
 
 
 @pytest.mark.parametrize("scalar", ["f32", "f64"])

@@ -74,12 +74,15 @@ def test_numpy_text_has_the_value_of_the_expression(value: Expr) -> None:
 
 @pytest.mark.parametrize("condition", CONDITIONS, ids=str)
 def test_numpy_conditions_have_their_value_on_arrays(condition: sympy.Basic) -> None:
-    columns = np.array(POINTS).T
+    points = (*POINTS, (1.0, 1.0, 1.0, 1.0), (0.0, 1.0, 1.0, 1.0))  # the last two are ties
+    columns = np.array(points).T
     line = printer.condition(condition, NUMPY)
-    wanted = [bool(condition.subs(dict(zip((a, b, c, x), p, strict=True)))) for p in POINTS]
+    wanted = [bool(condition.subs(dict(zip((a, b, c, x), p, strict=True)))) for p in points]
     assert eval(line, scope(columns)).tolist() == wanted
-    # A complex step changes no decision.
-    assert eval(line, scope(columns + 1e-200j)).tolist() == wanted
+    # A complex step changes no decision, not even at a tie.
+    for step in (1e-200j, -1e-200j):
+        stepped = columns + step * np.array([[1], [-1], [2], [1]])
+        assert eval(line, scope(stepped)).tolist() == wanted
 
 
 @pytest.mark.parametrize("value", [v for v in EXPRESSIONS if not v.atoms(Arc)], ids=str)
