@@ -20,9 +20,8 @@ from derive.lie.cover import Let
 from derive.lie.group import Group
 from derive.lie.kernel import SMALL, H, K
 from derive.routine.derivation import Derivation
-from derive.routine.rate import rate
 
-Factor = Callable[[Let, Expr], Expr]
+Factor = Callable[[Let, Expr, Matrix], Expr]
 Clearance = Callable[[Let, Expr, Matrix], Expr]
 
 
@@ -31,7 +30,7 @@ class KinematicLaw:
     """nu_u : G -> algebra, Definition 1 of the paper.
 
     groups:    where the law exists
-    factor:    (let, w) -> p(w), half the ratio of nu_u to v
+    factor:    (let, w, v) -> p(w), half the ratio of nu_u to v
     doc:       one sentence
     clearance: zero where the law jumps or is not defined, None where it does neither
     is_pole:   the law or its rate has no bound near its cut: refused within a margin of it
@@ -53,11 +52,10 @@ class KinematicLaw:
         error = group.cover(d.let, g_e)
         w, v = error.w, error.v
         clearance = self.clearance(d.let, w, v) if self.clearance else sympy.S.One
-        factor = self.factor(d.let, w)
-        slope = rate(d, Matrix([factor]), {w: sympy.S.One})[0]
+        factor = self.factor(d.let, w, v)
         p = d.let("p", factor, "1", "half of nu_u over v")
-        fall = d.let("fall", -slope, "1", "-dp/dw")
-        along = d.let("along", _along(w, factor, slope), "1", "rate of the law along the axis")
+        fall = d.let("fall", -sympy.diff(factor, w), "1", "-dp/dw")
+        along = d.let("along", _along(w, factor), "1", "rate of the law along the axis")
         nu_u = d.let("nu_u", 2 * p * v, "rad", f"kinematic law, {self.doc}", self.source)
         turn = d.let("turn", v.cross(nu_e), "rad/s", "v x nu_e")
         bend = d.let("bend", v.cross(turn), "rad/s", "v x (v x nu_e)")
@@ -66,9 +64,9 @@ class KinematicLaw:
         return nu_u, nu_u_dot, clearance
 
 
-def _along(w: Expr, p: Expr, slope: Expr) -> Expr:
+def _along(w: Expr, p: Expr) -> Expr:
     """p w - p' s^2 in lowest terms, by s^2 = 1 - w^2 and s^2 h = 1 - w k."""
-    value = p * w - slope * (1 - w**2)
+    value = p * w - sympy.diff(p, w) * (1 - w**2)
     value = value.xreplace({H(w): (1 - w * K(w)) / (1 - w**2)})
     return sympy.factor(sympy.cancel(value))
 
@@ -89,14 +87,24 @@ def _at_equator(let: Let, w: Expr, v: Matrix) -> Expr:
     return let("distance", sympy.Abs(w), "1", "distance from w = 0")
 
 
-def _sign(let: Let, w: Expr) -> Expr:
+def _sign(let: Let, w: Expr, v: Matrix) -> Expr:
     value = Piecewise((sympy.S.NegativeOne, w < 0), (sympy.S.One, True), evaluate=False)
     return let("sign", value, "1", "sign of w, + at zero") / 2
 
 
-def _off(let: Let, distance: Expr) -> Expr:
-    """A distance from a pole that is never zero: what is refused there stays finite."""
-    return let("off", distance + SMALL, "1", "distance from the pole")
+def _gibbs(let: Let, w: Expr, v: Matrix) -> Expr:
+    """1/w, finite where it is refused."""
+    inverse = let("inverse", 1 / (w + SMALL), "1", "1/w, finite", stands_for=1 / w)
+    let("square", inverse**2, "1", "1/w^2", stands_for=w**-2)
+    return 1 / w
+
+
+def _mrp(let: Let, w: Expr, v: Matrix) -> Expr:
+    """2/(1 + w), with 1 + w = s^2/(1 + |w|) where that loses nothing to cancellation."""
+    far = v.dot(v) / (1 + sympy.Abs(w)) + SMALL
+    value = Piecewise((1 + w, w >= 0), (far, True), evaluate=False)
+    let("off", value, "1", "1 + w, and never zero", stands_for=1 + w)
+    return 2 / (1 + w)
 
 
 _HALF = sympy.S.Half
@@ -106,29 +114,27 @@ _RECORDS = (
     KinematicLaw(
         "log",
         _SO3,
-        lambda let, w: K(w),
+        lambda let, w, v: K(w),
         "the rotation vector",
         _at_pi,
         source="eq. (KinCtrlLawSO3)",
     ),
-    KinematicLaw("lee", _SO3, lambda let, w: _HALF, "sin(angle/2) axis", _at_pi),
-    KinematicLaw("skew", _SO3, lambda let, w: w, "sin(angle) axis", None),
-    KinematicLaw(
-        "gibbs", _SO3, lambda let, w: 1 / _off(let, w), "2 tan(angle/2) axis", _at_pi, True
-    ),
-    KinematicLaw("mrp", _SO3, lambda let, w: 2 / (1 + w), "4 tan(angle/4) axis", _at_pi),
-    KinematicLaw("log", _S3, lambda let, w: K(w), "the rotation vector", _at_minus_i, True),
+    KinematicLaw("lee", _SO3, lambda let, w, v: _HALF, "sin(angle/2) axis", _at_pi),
+    KinematicLaw("skew", _SO3, lambda let, w, v: w, "sin(angle) axis", None),
+    KinematicLaw("gibbs", _SO3, _gibbs, "2 tan(angle/2) axis", _at_pi, True),
+    KinematicLaw("mrp", _SO3, lambda let, w, v: 2 / (1 + w), "4 tan(angle/4) axis", _at_pi),
+    KinematicLaw("log", _S3, lambda let, w, v: K(w), "the rotation vector", _at_minus_i, True),
     KinematicLaw(
         "half_log",
         _S3,
-        lambda let, w: K(w) / 2,
+        lambda let, w, v: K(w) / 2,
         "half the rotation vector",
         _at_minus_i,
         True,
         source="eq. (KinCtrlLawS3)",
     ),
-    KinematicLaw("mrp", _S3, lambda let, w: 2 / _off(let, 1 + w), "4 v/(1 + w)", _at_minus_i, True),
-    KinematicLaw("vec", _S3, lambda let, w: sympy.S.One, "2 v, smooth everywhere", None),
+    KinematicLaw("mrp", _S3, _mrp, "4 v/(1 + w)", _at_minus_i, True),
+    KinematicLaw("vec", _S3, lambda let, w, v: sympy.S.One, "2 v, smooth everywhere", None),
     KinematicLaw("sign_vec", _S3, _sign, "sign(w) v", _at_equator),
 )
 

@@ -64,8 +64,8 @@ class Domain:
         for name in self.scales.keys() & before.keys():
             with np.errstate(all="ignore"):
                 change = np.linalg.norm(after[name] - before[name], axis=-1)
-            scale = np.maximum(np.linalg.norm(before[name], axis=-1), self.scales[name])
-            moved = change / np.where(scale > 0, scale, 1.0) / EPS["f64"]
+                scale = np.maximum(np.linalg.norm(before[name], axis=-1), self.scales[name])
+                moved = change / np.where(scale > 0, scale, 1.0) / EPS["f64"]
             moved = np.where(np.isnan(moved), np.inf, moved)[self.keep]
             worst = max(worst, float(moved.max()))
         return worst

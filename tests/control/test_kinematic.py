@@ -79,7 +79,8 @@ def chained(group: str, name: str) -> Derivation:
     """(g, nu) -> the rate of 2 p v by sympy's chain rule from the rates of w and v."""
     d, g, nu = begun(group)
     cover = GROUPS[group].cover(d.let, g)
-    value = d.let("value", 2 * LAWS[group, name].factor(d.let, cover.w) * cover.v, "rad", "")
+    factor = LAWS[group, name].factor(d.let, cover.w, cover.v)
+    value = d.let("value", 2 * factor * cover.v, "rad", "")
     d.give(quantity("rate", 3), rate(d, value, cover.rate(d.let, nu)))
     return d.pruned()
 

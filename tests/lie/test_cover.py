@@ -144,7 +144,7 @@ def test_at_minus_i_the_logarithm_is_zero_and_near_it_two_pi(tail: float, length
     assert_allclose(out["log"], [0, np.copysign(length, tail), 0], rtol=0, atol=1e-7)
 
 
-@pytest.mark.parametrize("tail", [1e-300, 1e-160])
+@pytest.mark.parametrize("tail", [1e-59, 1e-30])
 def test_even_nearer_it_stays_below_two_pi(tail: float) -> None:
     with np.errstate(over="ignore"):
         out = run("S3")(g=(-1, 0, 0, tail), nu=np.zeros(3))

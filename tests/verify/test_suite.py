@@ -9,9 +9,9 @@ import pytest
 from derive import pipeline
 from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS
+from derive.vehicle import Vehicle, load
 from derive.verify.check import Check, Report
 from derive.verify.limits import LIMITS, SEEDS
-from derive.vehicle import Vehicle, load
 
 ROOT = Path(__file__).parents[2]
 PAPER = load(ROOT / "vehicles" / "paper_so3.toml")

@@ -61,7 +61,7 @@ def quaternion_of_transpose(patch: Patch) -> None:
 
 def rate_along_axis_doubled(patch: Patch) -> None:
     right = kinematic._along
-    patch.setattr(kinematic, "_along", lambda w, p: 2 * right(w, p))
+    patch.setattr(kinematic, "_along", lambda *terms: 2 * right(*terms))
 
 
 def gains_exchanged(patch: Patch) -> None:
@@ -77,7 +77,7 @@ def gains_exchanged(patch: Patch) -> None:
 def half_law_for_whole(patch: Patch) -> None:
     law = kinematic.LAWS["SO3", "log"]
     patch.setitem(
-        kinematic.LAWS, ("SO3", "log"), replace(law, factor=lambda let, w: kernel.K(w) / 2)
+        kinematic.LAWS, ("SO3", "log"), replace(law, factor=lambda let, w, v: kernel.K(w) / 2)
     )
 
 
