@@ -57,11 +57,10 @@ def forces(subject: Subject) -> Iterator[Check]:
         run = reference.tracking if subject.has_reference else reference.reaching
         table = run(subject.vehicle, states, scalar)
         keep = _far_from_jump(subject, table, scalar)
-        damping = _conditioning(subject, table)
         for backend in backends:
             errors = table.errors(backend.run(subject.law, states))
             for name in ("force", "s"):
-                error = np.where(keep, errors[name] * damping, 0.0)
+                error = np.where(keep, errors[name] * table.conditioning, 0.0)
                 yield worst(f"{name}: truth", backend.name, error, f"force_{scalar}", states)
         if subject.has_reference:
             rest = reference.reaching(subject.vehicle, still, scalar)
@@ -79,15 +78,6 @@ def plants(subject: Subject) -> Iterator[Check]:
         for backend in backends:
             error = table.errors(backend.run("plant", states, states.nu_r))["nu_dot"]
             yield worst("nu_dot: truth", backend.name, error, f"force_{scalar}", states)
-
-
-def _conditioning(subject: Subject, table: Truth) -> Array:
-    """What a relative error is multiplied by: s towards -i, where q_r^-1 q rounds at eps/s.
-
-    With the identity as reference the product is exact, and `force at rest` takes no such factor.
-    """
-    clearance = table.branches[0]["clearance"][0][:, 0]
-    return clearance if subject.vehicle.group == "S3" else np.ones_like(clearance)
 
 
 def _far_from_jump(subject: Subject, table: Truth, scalar: str) -> Array:

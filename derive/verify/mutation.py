@@ -69,7 +69,7 @@ def _laws(routine: str) -> Callable[[Plant, int], Trial]:
         run = reference.tracking if routine == "tracking" else reference.reaching
         moving = _judging(vehicle, seed, is_moving=True)
         table = run(vehicle, moving, "f64")
-        force = LIMITS["force_f64"].figure / _conditioning(vehicle, table)
+        force = LIMITS["force_f64"].figure / table.conditioning
         on_move = Case(_inputs(vehicle, moving), table, {"force": force, "s": force})
         rng = np.random.default_rng([seed, 2])
         return [*_at_rest(vehicle, seed), on_move], _wide(vehicle, rng)
@@ -123,11 +123,6 @@ def _law_limits(states: States) -> dict[str, Array | float]:
     eps = EPS["f64"]
     log, rate = (np.where(beyond, far, LIMITS[name].figure) * eps for name in ("log", "rate"))
     return {"nu_u": log, "nu_u_dot": rate, "clearance": LIMITS["mutant"].figure * eps}
-
-
-def _conditioning(vehicle: Plant, table: Truth) -> Array:
-    clearance = table.branches[0]["clearance"][0][:, 0]
-    return clearance if vehicle.group == "S3" else np.ones_like(clearance)
 
 
 def _inputs(vehicle: Plant, states: States) -> dict[str, Array]:

@@ -24,6 +24,9 @@ EITHER = 8
 """Distance from the cut locus, eps, within which both branches count as true."""
 
 
+POLES = (("S3", "log"), ("S3", "half_log"), ("S3", "mrp"))
+"""Laws without a bound near -i."""
+
 HALVES = ("half_log", "lee", "sign_vec")
 """Laws that grow with half the angle: their natural scale is half that of the others."""
 
@@ -54,11 +57,14 @@ class Truth:
 
     scales: natural scale of an output where it is larger than its length, (N,)
     error:  unit quaternion of each row's error, to 130 digits
+    conditioning: what a relative error on the move counts: s towards a pole at -i, where the
+            product q_r^-1 q itself rounds at eps/s; with the identity as reference it is exact
     """
 
     branches: tuple[dict[str, Pair], ...]
     scales: dict[str, Array]
     error: tuple[Any, ...] = ()
+    conditioning: Array | float = 1.0
 
     def errors(self, found: dict[str, NDArray[Any]]) -> dict[str, Array]:
         """|found - truth| / scale per row and output, on the branch whose law is nearer, (N,)."""
@@ -130,7 +136,9 @@ def _table(
     unit = 0.5 if vehicle.law in HALVES else 1.0
     scales = {"nu_u": 2 * unit * sine, "nu_u_dot": unit * speed, "s": speed}
     scales["clearance"] = np.ones(len(plain))
-    return Truth(tuple(branches), scales, tuple(found["q"] for found in plain))
+    has_pole = (vehicle.group, vehicle.law) in POLES
+    conditioning = branches[0]["clearance"][0][:, 0] if has_pole else 1.0
+    return Truth(tuple(branches), scales, tuple(found["q"] for found in plain), conditioning)
 
 
 def _with_clearance(found: dict[str, Any], vehicle: Plant) -> dict[str, Any]:
