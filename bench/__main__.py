@@ -11,7 +11,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from bench import instructions, size, throughput, waiting
-from bench.limits import Figure
+from bench.figure import Figure
 
 Measure = Callable[[Path], list[Figure]]
 

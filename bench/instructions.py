@@ -7,7 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from bench.limits import Figure
+from bench.figure import Figure
 from bench.subject import MEASURED, ROUTINES, Array, place, states, vehicle
 from derive.native.compile import FLAGS, Compiler
 

@@ -6,7 +6,7 @@ import subprocess
 import tomllib
 from pathlib import Path
 
-from bench.limits import Figure
+from bench.figure import Figure
 from bench.subject import MEASURED, place
 from derive.native.compile import FLAGS, Compiler, build_object
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from bench.limits import Figure
+from bench.figure import Figure
 from bench.subject import ELEMENT, Array, place, vehicle
 from derive.native.load import load_module
 

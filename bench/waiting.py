@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
 
-from bench.limits import Figure
+from bench.figure import Figure
 from bench.subject import ROOT
 
 REPEATS = 5

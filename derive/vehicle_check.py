@@ -53,6 +53,7 @@ def _problem(name: str) -> str:
     if name.lower().endswith(SCALAR_SUFFIXES):
         return "ends like the prefix of one scalar"
     taken = (
+        ("is the name of a scalar", f"_{name.lower()}" in SCALAR_SUFFIXES),
         ("is a keyword of C or C++", name in C_WORDS),
         ("is a keyword of Python", keyword.iskeyword(name) or keyword.issoftkeyword(name)),
         ("would hide the Python module of that name", name in OWN_MODULES),
@@ -100,6 +101,19 @@ def check_positive_definite(file: str, inertia: Matrix) -> None:
                 "check the units and signs: diagonal entries are positive, and products of "
                 "inertia smaller than the geometric mean of their two moments",
             )
+
+
+def pivots(inertia: Matrix) -> list[Fraction]:
+    """Ratios of successive leading minors, exact, up to the first that is not positive."""
+    found: list[Fraction] = []
+    before = Fraction(1)
+    for size in range(1, len(inertia) + 1):
+        minor = determinant(inertia, range(size))
+        found.append(minor / before)
+        if minor <= 0:
+            break
+        before = minor
+    return found
 
 
 def check_triangle(file: str, inertia: Matrix) -> None:

@@ -43,10 +43,10 @@ def c99(scalar: str, prefix: str) -> Dialect:
     return Dialect(scalar, c_literal, f"sqrt{suffix}({{}})", absolute, kernel, "{}", " && ")
 
 
-def numpy() -> Dialect:
-    """numpy in double precision; conditions look at real parts, so a complex step runs through."""
+def numpy(scalar: str = "f64") -> Dialect:
+    """numpy; conditions look at real parts, so that a complex step runs through."""
     absolute = "np.where({0}.real < 0.0, -{0}, {0})"
-    return Dialect("f64", decimal, "np.sqrt({})", absolute, "_{name}({})", "{}.real", " & ")
+    return Dialect(scalar, decimal, "np.sqrt({})", absolute, "_{name}({})", "{}.real", " & ")
 
 
 def text(value: Expr, dialect: Dialect) -> str:

@@ -10,7 +10,7 @@ EPS = {"f64": 2.0**-52, "f32": 2.0**-23}
 
 @dataclass(frozen=True)
 class Limit:
-    """What a check may measure at most: `eps` of the scalar, `relative`, or a count of `rows`."""
+    """What may be measured at most: `eps` of the scalar, `relative`, a count, or a cost."""
 
     name: str
     figure: float
@@ -30,13 +30,20 @@ _TABLE = (
     Limit("symbolic", 1e-40, "relative", "chain rule against closed form, 50 digits"),
     Limit("rows", 0, "rows", "rows that differ, or are not finite"),
     Limit("mutant", 30, "eps", "movement from which a mutant must be caught"),
+    Limit("coefficient", 1e-9, "relative", "change of a coefficient that a mutant makes"),
+    Limit("seeds", 20, "seeds", "over which the unharmed code must raise no alarm"),
+    Limit("either side", 8, "eps", "distance from the cut locus within which both sides count"),
+    Limit(
+        "cancellation", 20, "times", "terms over their sum, beyond which the terms are the scale"
+    ),
+    Limit("spare", 32, "eps", "of its diagonal entry, left in each pivot of a rounded inertia"),
+    Limit("paper_so3 f64 tracking", 560, "instructions", "the worst call over all angles"),
+    Limit("prove", 15, "s", "every statement, for the paper's vehicle"),
+    Limit("prove_se3", 60, "s", "every statement, for a vehicle on SE3"),
+    Limit("emit, nothing cached", 1.5, "s", "one vehicle, the whole process"),
+    Limit("emit, cached", 0.35, "s", "as above, a new inertia of a known pattern"),
+    Limit("help", 0.15, "s", "derive --help"),
 )
 
 LIMITS = {limit.name: limit for limit in _TABLE}
 """Every limit by name."""
-
-COEFFICIENT = 1e-9
-"""Relative change of a coefficient that a mutant makes."""
-
-SEEDS = 20
-"""Seeds over which the unharmed code must raise no alarm."""

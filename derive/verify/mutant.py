@@ -17,9 +17,9 @@ from sympy import Add, Expr, Mul, Piecewise, Pow, Rational, Symbol
 
 from derive.lie.kernel import Arc, coefficients
 from derive.routine.derivation import Derivation
-from derive.verify.limits import COEFFICIENT
+from derive.verify.limits import LIMITS
 
-_OFF = 1 + Rational(str(COEFFICIENT))
+_OFF = 1 + Rational(str(LIMITS["coefficient"].figure))
 
 
 @dataclass(frozen=True)

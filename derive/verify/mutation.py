@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from derive.control.controller import routines
 from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS
-from derive.routine.derivation import Derivation
-from derive.verify import rates, reference, sample
+from derive.verify import rates, sample
+from derive.verify.batch import Batch, at_rest, at_ties, on_the_move, under_force
 from derive.verify.check import Check
 from derive.verify.limits import EPS, LIMITS
 from derive.verify.reference import Plant, Truth
@@ -24,21 +24,19 @@ from derive.verify.trial import Case, Domain, Outcome, trial
 Array = NDArray[Any]
 Trial = tuple[list[Case], list[Domain]]
 
-EACH = 12
-"""States per rung of the ladder on which mutants must be caught."""
-
-DENSE = {False: 4000, True: 400}
-"""States at random angles, at rest and on the move, on which mutants must be caught too."""
-
 WIDE = 1500
 """States at random angles on which the movement of what was not caught is measured."""
 
 
 def mutation(
-    vehicle: Plant, controller: str, seed: int = 0, progress: Callable[[str], None] = lambda _: None
+    vehicle: Plant,
+    controller: str,
+    each: int = 120,
+    seed: int = 0,
+    progress: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Check]:
     """One check per routine: mutants that move an output and that no check caught."""
-    for d, outcome in outcomes(vehicle, controller, seed, progress):
+    for routine, outcome in outcomes(vehicle, controller, each, seed, progress):
         caught = outcome.tried - len(outcome.missed) - len(outcome.equivalent)
         worst = ", ".join(what for what, _ in outcome.missed[:3])
         told = worst or (
@@ -46,83 +44,74 @@ def mutation(
         )
         missed = float(len(outcome.missed))
         listed = tuple(f"{what}: {moved:.2g} eps" for what, moved in outcome.equivalent)
-        name, rows = f"mutants missed: {d.name}", LIMITS["rows"]
+        name, rows = f"mutants missed: {routine}", LIMITS["rows"]
         yield Check(name, "derivation", missed, rows, outcome.tried, told, listed)
 
 
 def outcomes(
-    vehicle: Plant, controller: str, seed: int = 0, progress: Callable[[str], None] = lambda _: None
-) -> Iterator[tuple[Derivation, Outcome]]:
-    """Each derivation of the vehicle with what became of its mutants."""
+    vehicle: Plant,
+    controller: str,
+    each: int = 120,
+    seed: int = 0,
+    progress: Callable[[str], None] = lambda _: None,
+) -> Iterator[tuple[str, Outcome]]:
+    """Each routine of the vehicle, and its kernel in float, with what became of the mutants."""
     law = LAWS[vehicle.group, vehicle.law]
     pattern = tuple(value != 0 for value in _upper(vehicle))
     parts = routines(GROUPS[vehicle.group], law, controller, pattern)
     for d in (parts.main, *parts.public, *parts.inner):
         progress(f"mutants of {d.name}")
-        yield d, trial(d, *_CASES[d.name](vehicle, seed))
+        yield d.name, trial(d, *_CASES[d.name](vehicle, each, seed))
+    progress("mutants of the kernel in float")
+    yield "kernel in float", trial(parts.main, *_float(vehicle, each, seed), scalar="f32")
 
 
-def _laws(routine: str) -> Callable[[Plant, int], Trial]:
-    """Cases of a control law: law and rate at rest, force and s on the move, as the suite does."""
+def _laws(routine: str) -> Callable[[Plant, int, int], Trial]:
+    """A control law on the very batches of the suite: at rest, at exact ties, on the move."""
 
-    def cases(vehicle: Plant, seed: int) -> Trial:
-        run = reference.tracking if routine == "tracking" else reference.reaching
-        moving = _judging(vehicle, seed, is_moving=True)
-        table = run(vehicle, moving, "f64")
-        force = LIMITS["force_f64"].figure / table.conditioning
-        on_move = Case(_inputs(vehicle, moving), table, {"force": force, "s": force})
+    def cases(vehicle: Plant, each: int, seed: int) -> Trial:
+        batches = [at_rest(vehicle, "f64", each, seed), at_ties(vehicle, "f64", seed)]
+        if routine == "tracking":
+            batches.append(on_the_move(vehicle, True, "f64", max(1, each // 4), seed))
         rng = np.random.default_rng([seed, 2])
-        return [*_at_rest(vehicle, seed), on_move], _wide(vehicle, rng)
+        judged = [_case(vehicle, batch) for batch in batches if batch is not None]
+        return judged, _wide(vehicle, rng)
 
     return cases
 
 
-@cache
-def _at_rest(vehicle: Plant, seed: int) -> tuple[Case, ...]:
-    """Law and rate at rest, and on SO3 the choice at exact ties, where one branch is right."""
-    still = _judging(vehicle, seed, is_moving=False)
-    table = reference.reaching(vehicle, still, "f64")
-    cases = [Case(_inputs(vehicle, still), table, _law_limits(still))]
-    if vehicle.group == "SO3":
-        ties = sample.ties("f64", np.random.default_rng([seed, 3]))
-        strict = reference.reaching(vehicle, ties, "f64").first()
-        cases.append(Case(_inputs(vehicle, ties), strict, _law_limits(ties)))
-    return tuple(cases)
+def _float(vehicle: Plant, each: int, seed: int) -> Trial:
+    """The law at rest, in float."""
+    batch = at_rest(vehicle, "f32", each, seed)
+    domain = _at_rest_domain(vehicle, batch.states, np.ones(len(batch.states.angle), dtype=bool))
+    return [_case(vehicle, batch)], [replace(domain, eps=EPS["f32"])]
 
 
-def _judging(vehicle: Plant, seed: int, *, is_moving: bool) -> States:
-    """The ladder and random angles, at rest or on the move."""
-    rng = np.random.default_rng([seed, 1, is_moving])
-    ladder = sample.angles(vehicle.group, vehicle.law)
-    dense = rng.uniform(0, ladder[-1], DENSE[is_moving])
-    angle = np.concatenate([sample.spread(ladder, EACH), dense])
-    return sample.states(vehicle.group, angle, "f64", rng, is_moving=is_moving)
+def _case(vehicle: Plant, batch: Batch) -> Case:
+    return Case(_inputs(vehicle, batch.states), batch.truth, batch.limits)
 
 
 def _wide(vehicle: Plant, rng: np.random.Generator) -> list[Domain]:
     """Where movement counts: the law at rest, and force and s on the move, off the cut."""
     ladder = sample.angles(vehicle.group, vehicle.law)
     angle = np.concatenate([rng.uniform(0, ladder[-1], WIDE), sample.spread(ladder, 20)])
-    keep = np.abs(np.cos(angle / 2)) > reference.EITHER * EPS["f64"]
-    domains = []
-    for is_moving in (False, True):
-        states = sample.states(vehicle.group, angle, "f64", rng, is_moving=is_moving)
-        terms = rates.term_scales(vehicle, states)
-        scales: dict[str, Array | float] = {"force": terms["force"], "s": terms["nu_u_dot"]}
-        if not is_moving:
-            scales |= {"nu_u": np.sin(angle / 2), "nu_u_dot": terms["nu_u_dot"], "clearance": 1.0}
-        near = np.sin(angle / 2) if vehicle.group == "S3" and is_moving else 1.0
-        kept = keep if not is_moving else keep & ((angle <= np.pi) | (near > 1e-2))
-        domains.append(Domain(_inputs(vehicle, states), scales, kept))
-    return domains
+    still, moving = (
+        sample.states(vehicle.group, angle, "f64", rng, is_moving=m) for m in (False, True)
+    )
+    keep = np.abs(np.cos(angle / 2)) > LIMITS["either side"].figure * EPS["f64"]
+    terms = rates.term_scales(vehicle, moving)
+    scales = {"force": terms["force"], "s": terms["nu_u_dot"]}
+    # Towards -i the product of a moving reference is itself rounded at eps/s.
+    near = (angle > np.pi) & (np.sin(angle / 2) < 1e-2)
+    on_move = Domain(_inputs(vehicle, moving), scales, keep & ~near)
+    return [_at_rest_domain(vehicle, still, keep), on_move]
 
 
-def _law_limits(states: States) -> dict[str, Array | float]:
-    beyond = states.angle > np.pi
-    far = LIMITS["beyond_pi"].figure
-    eps = EPS["f64"]
-    log, rate = (np.where(beyond, far, LIMITS[name].figure) * eps for name in ("log", "rate"))
-    return {"nu_u": log, "nu_u_dot": rate, "clearance": LIMITS["mutant"].figure * eps}
+def _at_rest_domain(vehicle: Plant, states: States, keep: Array) -> Domain:
+    terms, half = rates.term_scales(vehicle, states), np.sin(states.angle / 2)
+    scales = {"force": terms["force"], "s": terms["nu_u_dot"]}
+    scales |= {"nu_u": half, "nu_u_dot": terms["nu_u_dot"], "clearance": np.ones_like(half)}
+    return Domain(_inputs(vehicle, states), scales, keep)
 
 
 def _inputs(vehicle: Plant, states: States) -> dict[str, Array]:
@@ -133,20 +122,22 @@ def _inputs(vehicle: Plant, states: States) -> dict[str, Array]:
         "rate_gain": [float(vehicle.rate_gain)],
         "reach_gain": [float(vehicle.reach_gain)],
     }
-    spread = {name: np.repeat(np.array(x)[:, None], count, 1) for name, x in params.items()}
+    spread = {
+        name: np.repeat(np.array(x, states.g.dtype)[:, None], count, 1)
+        for name, x in params.items()
+    }
     names = ("g", "nu", "g_r", "nu_r", "nu_r_dot")
-    return spread | {name: getattr(states, name).T for name in names} | {"force": states.nu_r.T}
+    return spread | {name: getattr(states, name).T for name in names}
 
 
-def _plant(vehicle: Plant, seed: int) -> Trial:
-    moving = _judging(vehicle, seed, is_moving=True)
-    table = reference.plant(vehicle, moving, moving.nu_r)
-    inputs = _inputs(vehicle, moving)
-    case = Case(inputs, table, {"nu_dot": LIMITS["force_f64"].figure})
-    return [case], [_everywhere(inputs, "nu_dot", 0.0)]
+def _plant(vehicle: Plant, each: int, seed: int) -> Trial:
+    batch, force = under_force(vehicle, "f64", max(1, each // 8), seed)
+    inputs = _inputs(vehicle, batch.states) | {"force": force.T}
+    case = Case(inputs, batch.truth, batch.limits)
+    return [case], [_everywhere(inputs, "nu_dot", batch.truth.scales["nu_dot"])]
 
 
-def _residual(vehicle: Plant, seed: int) -> Trial:
+def _residual(vehicle: Plant, each: int, seed: int) -> Trial:
     """Random numbers near and off the group; R^T R - 1 and det R - 1, or |q|^2 - 1, exactly."""
     rng = np.random.default_rng([seed, 4])
     size = len(GROUPS[vehicle.group].identity)
@@ -173,7 +164,7 @@ def _exact_residual(g: list[Fraction]) -> list[Fraction]:
     return [*gram, sum((x * y for x, y in zip(a, cross, strict=True)), Fraction(-1))]
 
 
-def _definiteness(vehicle: Plant, seed: int) -> Trial:
+def _definiteness(vehicle: Plant, each: int, seed: int) -> Trial:
     """Pivots as ratios of leading minors, exactly, over random inertias of the same pattern."""
     rng = np.random.default_rng([seed, 5])
     upper = np.array([float(value) for value in _upper(vehicle)])
@@ -186,7 +177,7 @@ def _definiteness(vehicle: Plant, seed: int) -> Trial:
     ]
 
 
-def _everywhere(inputs: Mapping[str, Array], output: str, scale: float) -> Domain:
+def _everywhere(inputs: Mapping[str, Array], output: str, scale: Array | float) -> Domain:
     count = len(next(iter(inputs.values()))[0])
     return Domain(inputs, {output: scale}, np.ones(count, dtype=bool))
 

@@ -14,14 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive.verify import truth
-from derive.verify.limits import EPS
+from derive.verify.limits import EPS, LIMITS
 from derive.verify.sample import DTYPES, States
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
-
-EITHER = 8
-"""Distance from the cut locus, eps, within which both branches count as true."""
 
 
 POLES = (("S3", "log"), ("S3", "half_log"), ("S3", "mrp"))
@@ -112,12 +109,14 @@ def reaching(vehicle: Plant, states: States, scalar: str) -> Truth:
     return _table(one, vehicle, states, scalar)
 
 
-def plant(vehicle: Plant, states: States, force: NDArray[Any]) -> Truth:
+def plant(vehicle: Plant, states: States, force: NDArray[Any], scalar: str) -> Truth:
     """Truth of the acceleration under a force (N, 3), eq. (EulerP)."""
-    inertia = vehicle.stored("f64")[0]
+    inertia = vehicle.stored(scalar)[0]
     pairs = zip(states.nu.tolist(), force.tolist(), strict=True)
     rows = [truth.plant(inertia, nu, applied) for nu, applied in pairs]
-    return Truth(({"nu_dot": _pair(rows)},), {})
+    size, speed, pushed = np.linalg.norm(inertia, 2), *_lengths(states.nu, force)
+    terms = np.linalg.norm(np.linalg.inv(inertia), 2) * (size * speed**2 + pushed)
+    return Truth(({"nu_dot": _pair(rows)},), {"nu_dot": terms / LIMITS["cancellation"].figure})
 
 
 def _table(
@@ -125,20 +124,52 @@ def _table(
 ) -> Truth:
     names = ("force", "s", "nu_u", "nu_u_dot", "clearance")
     plain = [_with_clearance(one(row, False), vehicle) for row in range(len(states.angle))]
-    near = np.array([abs(found["q"][0]) < EITHER * EPS[scalar] for found in plain])
+    near = np.array(
+        [abs(found["q"][0]) < LIMITS["either side"].figure * EPS[scalar] for found in plain]
+    )
     other = list(plain)
     if vehicle.group == "SO3":
         for row in np.flatnonzero(near):
             other[row] = _with_clearance(one(int(row), True), vehicle)
     branches = [{name: _pair([r[name] for r in rows]) for name in names} for rows in (plain, other)]
-    sine = np.array([float(truth.mp.norm(found["q"][1:])) for found in plain])
-    speed = np.array([float(truth.mp.norm(found["nu_e"])) for found in plain])
-    unit = 0.5 if vehicle.law in HALVES else 1.0
-    scales = {"nu_u": 2 * unit * sine, "nu_u_dot": unit * speed, "s": speed}
-    scales["clearance"] = np.ones(len(plain))
+    scales = _scales(vehicle, states, branches[0], plain)
     has_pole = (vehicle.group, vehicle.law) in POLES
     conditioning = branches[0]["clearance"][0][:, 0] if has_pole else 1.0
     return Truth(tuple(branches), scales, tuple(found["q"] for found in plain), conditioning)
+
+
+def _scales(
+    vehicle: Plant, states: States, outputs: dict[str, Pair], rows: list[dict[str, Any]]
+) -> dict[str, Array]:
+    """Natural scales: of the law its own, of s its terms, of the force its terms where they cancel.
+
+    On the move the product g_r^-1 g rounds at eps, which the law sees as an angle of eps: that
+    counts as 1 rad beside the law.
+    """
+    eta, nu_e, eta_dot = (
+        np.array([[float(x) for x in row.get(name, (0, 0, 0))] for row in rows])
+        for name in ("eta", "nu_e", "eta_dot")
+    )
+    sine = np.array([float(truth.mp.norm(row["q"][1:])) for row in rows])
+    unit = 0.5 if vehicle.law in HALVES else 1.0
+    nu, turning, speed, growth = _lengths(states.nu, eta, nu_e, eta_dot)
+    law, rate = _lengths(outputs["nu_u"][0], outputs["nu_u_dot"][0])
+    inertia, rate_gain, reach_gain = vehicle.stored("f64")
+    drive = rate_gain * (law + (1.0 if states.nu_r.any() else 0.0))
+    s = speed + drive
+    wanted = growth + rate_gain * rate + reach_gain * s
+    force = np.linalg.norm(inertia, 2) * (wanted + nu * (drive + turning))
+    return {
+        "nu_u": 2 * unit * sine,
+        "nu_u_dot": unit * speed,
+        "s": s,
+        "force": force / LIMITS["cancellation"].figure,
+        "clearance": np.ones(len(rows)),
+    }
+
+
+def _lengths(*vectors: NDArray[Any]) -> list[Array]:
+    return [np.linalg.norm(np.asarray(vector, np.float64), axis=-1) for vector in vectors]
 
 
 def _with_clearance(found: dict[str, Any], vehicle: Plant) -> dict[str, Any]:

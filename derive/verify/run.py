@@ -32,9 +32,10 @@ def run(
     """
     with tempfile.TemporaryDirectory(prefix="derive-") as folder:
         progress("compiling")
-        found, module, missing = backends(name, texts, Path(folder))
-        subject = Subject(vehicle, controller != "reaching", tuple(found), module, each, seed)
+        has_reference = controller != "reaching"
+        found, module, missing = backends(name, texts, Path(folder), has_reference)
+        subject = Subject(vehicle, has_reference, tuple(found), module, each, seed)
         lines = list(checks(subject, progress))
         if with_mutants:
-            lines += mutation(vehicle, controller, seed, progress)
+            lines += mutation(vehicle, controller, each, seed, progress)
     return Report(name, tuple(lines), tuple(missing))

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import sample
 from derive.verify.backend import Backend
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
@@ -24,7 +23,7 @@ class Subject:
     """A vehicle as emitted: its numbers, its backends, its numpy module (or None).
 
     has_reference: whether the controller tracks; otherwise only the reaching law is there
-    each: samples per rung of the angle ladder, and four times as many at random angles
+    each: samples per rung of the angle ladder
     """
 
     vehicle: Plant
@@ -35,9 +34,14 @@ class Subject:
     seed: int = 0
 
     @property
+    def routines(self) -> tuple[str, ...]:
+        """The emitted laws: the guarded one first."""
+        return ("tracking", "reaching") if self.has_reference else ("reaching",)
+
+    @property
     def law(self) -> str:
         """The routine whose law and rate are judged."""
-        return "tracking" if self.has_reference else "reaching"
+        return self.routines[0]
 
 
 def by_scalar(subject: Subject) -> Iterator[tuple[str, list[Backend]]]:
@@ -46,16 +50,6 @@ def by_scalar(subject: Subject) -> Iterator[tuple[str, list[Backend]]]:
         backends = [backend for backend in subject.backends if backend.scalar == scalar]
         if backends:
             yield scalar, backends
-
-
-def ladder(subject: Subject, scalar: str, each: int, *, is_moving: bool) -> States:
-    """States on every rung, and at random angles between them."""
-    group, law = subject.vehicle.group, subject.vehicle.law
-    rungs = sample.angles(group, law)
-    rng = np.random.default_rng(subject.seed)
-    between = rng.uniform(0, rungs[-1], 4 * each)
-    angle = np.concatenate([sample.spread(rungs, each), between])
-    return sample.states(group, angle, scalar, rng, is_moving=is_moving)
 
 
 def worst(

@@ -8,10 +8,13 @@ import numpy as np
 
 from derive.verify import symbolic
 from derive.verify.accuracy import accuracy, forces, plants, ties
+from derive.verify.batch import ladder
 from derive.verify.check import Check
 from derive.verify.derivative import derivatives
+from derive.verify.guard import guard
 from derive.verify.limits import LIMITS
-from derive.verify.subject import Subject, ladder, rows
+from derive.verify.sample import States
+from derive.verify.subject import Subject, rows
 
 
 def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -> Iterator[Check]:
@@ -24,6 +27,7 @@ def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -
         ("plant against truth", plants),
         ("differences along the flow", derivatives),
         ("backends against each other", agreement),
+        ("the guard", guard),
     )
     for what, run in plan:
         progress(what)
@@ -42,14 +46,21 @@ def symbolics(subject: Subject) -> Iterator[Check]:
 
 def agreement(subject: Subject) -> Iterator[Check]:
     """Rows in which C double and numpy differ in any bit, and rows that are not finite."""
-    states = ladder(subject, "f64", subject.each, is_moving=True)
-    found = {b.name: b.run(subject.law, states) for b in subject.backends if b.scalar == "f64"}
-    if len(found) == 2:
-        first, second = found.values()
-        differ = np.any([(first[n] != second[n]).any(-1) for n in first if n in second], axis=0)
-        yield rows("bits: C f64 is numpy f64", "both", differ, states)
+    states = _moving(subject, "f64")
+    double = [backend for backend in subject.backends if backend.scalar == "f64"]
+    if len(double) == 2:
+        for routine in (*subject.routines, "plant", "control"):
+            force = states.nu_r if routine == "plant" else None
+            first, second = (backend.run(routine, states, force) for backend in double)
+            unlike = [np.atleast_2d((first[n] != second[n]).T).any(0) for n in first]
+            name = f"{routine}: bits, C and numpy"
+            yield rows(name, "f64", np.any(unlike, axis=0), states)
     for backend in subject.backends:
-        narrow = ladder(subject, backend.scalar, subject.each, is_moving=True)
+        narrow = _moving(subject, backend.scalar)
         command = backend.run(subject.law, narrow)
         bad = np.any([~np.isfinite(value).all(-1) for value in command.values()], axis=0)
         yield rows("not finite", backend.name, bad, narrow)
+
+
+def _moving(subject: Subject, scalar: str) -> States:
+    return ladder(subject.vehicle, scalar, subject.each, subject.seed, is_moving=True)

@@ -52,11 +52,13 @@ class Domain:
 
     scales: output name -> length below which its own is not its scale, (N,) or one number
     keep:   rows off the cut locus, where there is one right value, (N,)
+    eps:    what movement is counted in
     """
 
     inputs: Mapping[str, Array]
     scales: Mapping[str, Array | float]
     keep: Array
+    eps: float = EPS["f64"]
 
     def movement(self, before: Values, after: Values) -> float:
         """Largest change of an output over its scale, eps."""
@@ -65,7 +67,7 @@ class Domain:
             with np.errstate(all="ignore"):
                 change = np.linalg.norm(after[name] - before[name], axis=-1)
                 scale = np.maximum(np.linalg.norm(before[name], axis=-1), self.scales[name])
-                moved = change / np.where(scale > 0, scale, 1.0) / EPS["f64"]
+                moved = change / np.where(scale > 0, scale, 1.0) / self.eps
             moved = np.where(np.isnan(moved), np.inf, moved)[self.keep]
             worst = max(worst, float(moved.max()))
         return worst
@@ -74,11 +76,13 @@ class Domain:
 class Runner:
     """A derivation compiled line by line for numpy, as it is printed for the emitted module."""
 
-    def __init__(self, d: Derivation) -> None:
+    def __init__(self, d: Derivation, scalar: str = "f64") -> None:
         self.derivation = d
-        self._dialect = printer.numpy()
+        self._dialect = printer.numpy(scalar)
         self._lines = [(symbol, self._compiled(value)) for symbol, value in d.terms()]
-        self._kernels = {f"_{NAMES[n]}": _horner(coefficients(n, "f64")) for n in range(len(NAMES))}
+        self._kernels = {
+            f"_{NAMES[n]}": _horner(coefficients(n, scalar)) for n in range(len(NAMES))
+        }
 
     def values(self, inputs: Mapping[str, Array]) -> Values:
         """Every input and step by symbol name, each an array (N,)."""
@@ -133,9 +137,12 @@ class Outcome:
         return max((moved for _, moved in self.equivalent), default=0.0)
 
 
-def trial(d: Derivation, cases: list[Case], domains: list[Domain]) -> Outcome:
-    """Judge every mutant of d on the cases; measure on the domains what they let through."""
-    runner = Runner(d)
+def trial(d: Derivation, cases: list[Case], domains: list[Domain], scalar: str = "f64") -> Outcome:
+    """Judge every mutant on the cases; measure on the domains what they let through.
+
+    In double every mutant of every step, and of the kernel; in float those of its own kernel.
+    """
+    runner = Runner(d, scalar)
     on_cases = [(case, runner.values(case.inputs)) for case in cases]
     on_domains = []
     for domain in domains:
@@ -144,7 +151,7 @@ def trial(d: Derivation, cases: list[Case], domains: list[Domain]) -> Outcome:
     missed: list[tuple[str, float]] = []
     equivalent: list[tuple[str, float]] = []
     tried = 0
-    for mutant in mutants(d):
+    for mutant in mutants(d, scalar):
         tried += 1
         if any(case.rejects(runner.harmed(mutant, values)) for case, values in on_cases):
             continue
@@ -157,11 +164,12 @@ def trial(d: Derivation, cases: list[Case], domains: list[Domain]) -> Outcome:
     return Outcome(tried, tuple(missed), tuple(equivalent))
 
 
-def mutants(d: Derivation) -> Iterator[Mutant]:
-    """Of every step, and of every kernel polynomial the steps call."""
-    yield from of_steps(d)
+def mutants(d: Derivation, scalar: str) -> Iterator[Mutant]:
+    """Of every step, once, and of every kernel polynomial the steps call."""
+    if scalar == "f64":
+        yield from of_steps(d)
     for order in kernel_orders(d):
-        yield from of_kernel(order, "f64")
+        yield from of_kernel(order, scalar)
 
 
 def _entry(entry: Expr, values: Values) -> Any:

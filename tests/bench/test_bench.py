@@ -10,7 +10,8 @@ import pytest
 
 from bench import __main__ as bench
 from bench import size, throughput
-from bench.limits import LIMITS, Figure
+from bench.figure import Figure
+from derive.verify.limits import LIMITS
 
 
 def run(monkeypatch: pytest.MonkeyPatch, figures: list[Figure], *arguments: str) -> int:

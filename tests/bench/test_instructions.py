@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from bench import instructions
-from bench.limits import LIMITS
 from bench.subject import ANGLES, AXES
+from derive.verify.limits import LIMITS
 
 BUDGET = LIMITS["paper_so3 f64 tracking"].figure
 

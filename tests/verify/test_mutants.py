@@ -25,11 +25,11 @@ def judged(group: str, law: str) -> Plant:
 
 @pytest.mark.parametrize(("group", "law"), [("SO3", "log"), ("S3", "half_log")])
 def test_no_mutant_that_moves_an_output_is_missed(group: str, law: str) -> None:
-    for d, outcome in outcomes(judged(group, law), "gsmc"):
-        assert outcome.missed == (), d.name
+    for routine, outcome in outcomes(judged(group, law), "gsmc"):
+        assert outcome.missed == (), routine
         assert outcome.tried > 10
         assert outcome.bound < LIMITS["mutant"].figure
-        assert len(outcome.equivalent) < outcome.tried / 10 or outcome.tried < 100
+        assert len(outcome.equivalent) < outcome.tried / 4 or outcome.tried < 100
 
 
 def test_a_blind_suite_would_be_found_out(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS
 from derive.vehicle import Vehicle, load
 from derive.verify.check import Check, Report
-from derive.verify.limits import LIMITS, SEEDS
+from derive.verify.limits import LIMITS
 
 ROOT = Path(__file__).parents[2]
 PAPER = load(ROOT / "vehicles" / "paper_so3.toml")
@@ -52,10 +53,29 @@ def test_a_controller_without_reference_passes(group: str) -> None:
     assert not any("eta" in check.name for check in report.checks)
 
 
+def scaled(group: str, law: str, size: str, gain: str) -> Vehicle:
+    """A body that turns alike about every axis, of any size, with any gains."""
+    one, zero = Fraction(size), Fraction(0)
+    inertia = tuple(tuple(one if i == j else zero for j in range(3)) for i in range(3))
+    gains = (("lambda", Fraction(gain)), ("k_s", Fraction(gain)))
+    fields = {**with_law(group, law).__dict__, "inertia": inertia, "gains": gains}
+    return Vehicle(**fields)
+
+
+@pytest.mark.parametrize("size", ["1e-6", "1", "100", "1e9"])
+@pytest.mark.parametrize("gain", ["1e-3", "5", "1e6"])
+@pytest.mark.parametrize(("group", "law"), [("SO3", "log"), ("S3", "half_log"), ("S3", "sign_vec")])
+def test_no_size_and_no_gain_raises_a_false_alarm(
+    group: str, law: str, size: str, gain: str
+) -> None:
+    assert failures(verified(scaled(group, law, size, gain), each=4)) == []
+
+
 @pytest.mark.parametrize("name", ["paper_so3", "paper_s3"])
 def test_no_seed_raises_a_false_alarm(name: str) -> None:
     vehicle = load(ROOT / "vehicles" / f"{name}.toml")
-    alarms = {seed: failures(verified(vehicle, each=3, seed=seed)) for seed in range(1, SEEDS + 1)}
+    seeds = range(1, int(LIMITS["seeds"].figure) + 1)
+    alarms = {seed: failures(verified(vehicle, each=3, seed=seed)) for seed in seeds}
     assert {seed: lines for seed, lines in alarms.items() if lines} == {}
 
 

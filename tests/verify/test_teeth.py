@@ -5,6 +5,7 @@ The oracles stand apart from all three, so no break can move both sides of a com
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -13,10 +14,13 @@ from typing import Any
 import pytest
 import sympy
 
+from derive import pipeline
 from derive.control import kinematic, sliding
 from derive.emit import literal, printer
 from derive.lie import catalogue, cover, kernel
 from derive.lie.group import Group
+from derive.verify.reference import Plant
+from derive.verify.run import run
 from tests.verify.test_suite import PAPER, failures, verified, with_law
 
 Patch = pytest.MonkeyPatch
@@ -129,6 +133,32 @@ def test_a_break_on_s3_turns_the_suite_red(monkeypatch: Patch) -> None:
     """Beyond pi the kernel goes on by k(w) = pi/s - k(-w); leave that out."""
     monkeypatch.setattr(cover, "_full", lambda let, w, v: cover._half(let, w))
     assert failures(verified(with_law("S3", "log"), each=3)) != []
+
+
+EDITS = (
+    ("reaching: sign of s", "command->s[0] = s_0;", "command->s[0] = -s_0;", -1),
+    ("reaching: entry of the rate", "nu_u_dot[0] = nu_u_dot_0;", "nu_u_dot[0] = nu_u_dot_1;", -1),
+    ("control: sign of the force", "status = paper_so3_f64_verdict(",
+     "command->force[0] = -command->force[0]; status = paper_so3_f64_verdict(", 0),
+    ("control: any drift will do", "<= PAPER_SO3_F64_MAX_DRIFT", "<= 1e9", 0),
+    ("check_params: first pivot", "pivot[0] = inertia_0;", "pivot[0] = 1.0;", 0),
+)  # fmt: skip
+"""What, the emitted C as it is, as it is broken, and which occurrence of it."""
+
+
+@pytest.mark.parametrize(("what", "right", "wrong", "which"), EDITS, ids=[e[0] for e in EDITS])
+def test_an_edit_of_the_emitted_c_turns_the_suite_red(
+    what: str, right: str, wrong: str, which: int
+) -> None:
+    files = pipeline.texts(PAPER)
+    path = "c/src/paper_so3_f64.c"
+    places = [match.start() for match in re.finditer(re.escape(right), files[path])]
+    assert places, what
+    at = places[which]
+    files[path] = files[path][:at] + wrong + files[path][at + len(right) :]
+    gains = dict(PAPER.gains)
+    plant = Plant("SO3", "log", PAPER.inertia, gains["lambda"], gains["k_s"])
+    assert failures(run("paper_so3", files, plant, controller="gsmc", each=2)) != []
 
 
 def test_unharmed_the_same_run_is_green() -> None:

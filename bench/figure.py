@@ -1,29 +1,10 @@
-"""The one table of what a measured cost may be. A figure is what was promised, never measured."""
+"""A measured cost, and the limit it has to keep where one was promised."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-
-@dataclass(frozen=True)
-class Limit:
-    """The most a figure of that name may be."""
-
-    name: str
-    figure: float
-    unit: str
-    what: str
-
-
-_TABLE = (
-    Limit("paper_so3 f64 tracking", 560, "instructions", "the worst call over all angles"),
-    Limit("emit, nothing cached", 1.5, "s", "one vehicle, the whole process"),
-    Limit("emit, cached", 0.35, "s", "as above, a new inertia of a known pattern"),
-    Limit("help", 0.15, "s", "derive --help"),
-)
-
-LIMITS = {limit.name: limit for limit in _TABLE}
-"""Every limit by the name of the figure it holds."""
+from derive.verify.limits import LIMITS, Limit
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,101 @@
+"""The states, their truth and their limits, made once for the suite and for the mutants alike."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from derive.verify import reference, sample
+from derive.verify.limits import EPS, LIMITS
+from derive.verify.reference import Plant, Truth
+from derive.verify.sample import States
+
+Array = NDArray[Any]
+
+BETWEEN = 8
+"""States at random angles, for each one on a rung of the ladder."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    """States, the truth about the outputs there, and the largest error each may have.
+
+    limits: output -> relative error, (N,); an output that is not named is not judged
+    """
+
+    states: States
+    truth: Truth
+    limits: Mapping[str, Array]
+
+    @property
+    def beyond(self) -> Array:
+        """Rows beyond a rotation by pi, (N,)."""
+        return self.states.angle > np.pi
+
+
+def ladder(vehicle: Plant, scalar: str, each: int, seed: int, *, is_moving: bool) -> States:
+    """`each` states on every rung, and BETWEEN times as many at random angles."""
+    rungs = sample.angles(vehicle.group, vehicle.law)
+    rng = np.random.default_rng([seed, is_moving])
+    between = rng.uniform(0, rungs[-1], BETWEEN * each)
+    angle = np.concatenate([sample.spread(rungs, each), between])
+    return sample.states(vehicle.group, angle, scalar, rng, is_moving=is_moving)
+
+
+@cache
+def at_rest(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch:
+    """The identity as reference, where law and rate have no error of the product g_r^-1 g."""
+    states = ladder(vehicle, scalar, each, seed, is_moving=False)
+    truth = reference.reaching(vehicle, states, scalar)
+    beyond = states.angle > np.pi
+    far, eps = LIMITS["beyond_pi"].figure, EPS[scalar]
+    log, rate = (np.where(beyond, far, LIMITS[name].figure) * eps for name in ("log", "rate"))
+    whole = _everywhere(vehicle, truth, scalar)
+    clearance = np.full(len(beyond), LIMITS["mutant"].figure * eps)
+    limits = {"nu_u": log, "nu_u_dot": rate, "clearance": clearance, "force": whole, "s": whole}
+    return Batch(states, truth, limits)
+
+
+@cache
+def on_the_move(vehicle: Plant, has_reference: bool, scalar: str, each: int, seed: int) -> Batch:
+    """Moving references, for the whole force and s."""
+    states = ladder(vehicle, scalar, each, seed, is_moving=True)
+    run = reference.tracking if has_reference else reference.reaching
+    truth = run(vehicle, states, scalar)
+    whole = _everywhere(vehicle, truth, scalar) / truth.conditioning
+    return Batch(states, truth, {"force": whole, "s": whole})
+
+
+@cache
+def at_ties(vehicle: Plant, scalar: str, seed: int) -> Batch | None:
+    """Exact rotations by pi on SO3, where one side is right; None where there is no such choice."""
+    if vehicle.group != "SO3" or (vehicle.group, vehicle.law) in sample.REACH:
+        return None
+    states = sample.ties(scalar, np.random.default_rng(seed))
+    truth = reference.reaching(vehicle, states, scalar).first()
+    limit = np.full(len(states.angle), LIMITS["log"].figure * EPS[scalar])
+    return Batch(states, truth, {"nu_u": limit})
+
+
+@cache
+def under_force(vehicle: Plant, scalar: str, each: int, seed: int) -> tuple[Batch, Array]:
+    """The plant, and the forces (N, 3) applied to it: as large as the inertia makes them."""
+    states = ladder(vehicle, scalar, each, seed, is_moving=True)
+    size = np.linalg.norm(vehicle.stored("f64")[0], 2)
+    force = (states.nu_r * size).astype(states.nu_r.dtype)
+    truth = reference.plant(vehicle, states, force, scalar)
+    limit = np.full(len(force), LIMITS[f"force_{scalar}"].figure)
+    return Batch(states, truth, {"nu_dot": limit}), force
+
+
+def _everywhere(vehicle: Plant, truth: Truth, scalar: str) -> Array:
+    """The limit of force and s; none where a law on S3 changes its sign, and two are right."""
+    clearance = truth.branches[0]["clearance"][0][:, 0]
+    limit = np.full(len(clearance), LIMITS[f"force_{scalar}"].figure)
+    jumps = (vehicle.group, vehicle.law) == ("S3", "sign_vec")
+    return np.where(jumps & (clearance < LIMITS["either side"].figure * EPS[scalar]), np.inf, limit)

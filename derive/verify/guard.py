@@ -1,0 +1,105 @@
+"""The guard of the emitted `control`: what it lets through, what it refuses, and as what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from derive.control.kinematic import LAWS
+from derive.emit.status import STATUSES
+from derive.emit.target import SCALARS
+from derive.verify.backend import COMMAND, Backend
+from derive.verify.batch import at_rest, ladder
+from derive.verify.check import Check
+from derive.verify.limits import LIMITS
+from derive.verify.sample import States
+from derive.verify.subject import Subject, rows
+
+Array = NDArray[Any]
+VALUE = {name: value for name, value, _ in STATUSES}
+UNSURE = 1e-3
+"""Relative distance from a threshold of the clearance within which either status is right."""
+
+
+def guard(subject: Subject) -> Iterator[Check]:
+    """`control` on good states, on bad ones, and `check_params`."""
+    for backend in subject.backends:
+        yield _lets_through(subject, backend)
+        yield _refuses(subject, backend)
+        yield _judges_params(subject, backend)
+
+
+def _lets_through(subject: Subject, backend: Backend) -> Check:
+    """Equal to the bare law bit for bit, with the status that the truth's clearance asks for."""
+    batch = at_rest(subject.vehicle, backend.scalar, subject.each, subject.seed)
+    command, bare = (backend.run(name, batch.states) for name in ("control", subject.law))
+    clearance = batch.truth.branches[0]["clearance"][0][:, 0]
+    expected, is_sure = _status(subject, clearance, backend.scalar)
+    refused = (expected >= VALUE["NOT_ON_GROUP"])[:, None]
+    differ = [(command[n] != np.where(refused, 0.0, bare[n])).any(-1) for n in COMMAND]
+    bad = is_sure & (np.any(differ, axis=0) | (command["status"] != expected))
+    return rows("control: the law, and its status", backend.name, bad, batch.states)
+
+
+def _status(subject: Subject, clearance: Array, scalar: str) -> tuple[Array, Array]:
+    """Status by clearance, and where rounding cannot move it."""
+    kind, law = SCALARS[scalar], LAWS[subject.vehicle.group, subject.vehicle.law]
+    near, refused = float(kind.near_cut), float(kind.refused) if law.is_pole else 0.0
+    status = np.where(clearance < near, VALUE["NEAR_CUT_LOCUS"], VALUE["OK"])
+    status = np.where(clearance < refused, VALUE["OUT_OF_RANGE"], status)
+    off = [np.abs(clearance - at) > UNSURE * at for at in (near, refused) if at > 0]
+    return status, np.all(off, axis=0)
+
+
+def _refuses(subject: Subject, backend: Backend) -> Check:
+    """NaN, infinity, too large, off the group, in every input in turn: a zero command."""
+    good = ladder(subject.vehicle, backend.scalar, 1, subject.seed, is_moving=True)
+    kind = SCALARS[backend.scalar]
+    inputs = ("g", "nu", "g_r", "nu_r", "nu_r_dot") if subject.has_reference else ("g", "nu")
+    bad = np.zeros(len(good.angle), dtype=bool)
+    for name in inputs:
+        harms = [(np.nan, "NONFINITE_INPUT"), (-np.inf, "NONFINITE_INPUT")]
+        harms.append((2 * float(kind.max_input), "OUT_OF_RANGE"))
+        if name in ("g", "g_r"):
+            harms.append((2.0, "NOT_ON_GROUP"))
+        for value, status in harms:
+            command = backend.run("control", _with(good, name, value))
+            bad |= command["status"] != VALUE[status]
+            bad |= np.any([(command[n] != 0).any(-1) for n in COMMAND], axis=0)
+    return rows("control: bad input refused", backend.name, bad, good)
+
+
+def _with(states: States, name: str, value: float) -> States:
+    """The same states, one number of one input replaced, another one in each row."""
+    array = getattr(states, name).copy()
+    array[np.arange(len(array)), np.arange(len(array)) % array.shape[1]] = value
+    return replace(states, **{name: array})
+
+
+def _judges_params(subject: Subject, backend: Backend) -> Check:
+    """The vehicle's own parameters pass; each of a list of bad ones is refused."""
+    kept, gain, reach = subject.vehicle.stored(backend.scalar)
+    upper = np.array([kept[i][j] for i in range(len(kept)) for j in range(i, len(kept))])
+    diagonal = np.array([i == j for i in range(len(kept)) for j in range(i, len(kept))])
+    params: list[tuple[dict[str, Any], str]] = [
+        ({"inertia": upper, "lambda": gain, "k_s": reach}, "OK"),
+        ({"inertia": np.where(diagonal, -upper, upper)}, "BAD_PARAMS"),
+        ({"inertia": np.where(diagonal, 0.0, upper)}, "BAD_PARAMS"),
+        ({"inertia": upper * np.nan}, "BAD_PARAMS"),
+        ({"lambda": 0.0}, "BAD_PARAMS"),
+        ({"lambda": np.inf}, "BAD_PARAMS"),
+        ({"k_s": -1.0}, "BAD_PARAMS"),
+    ]
+    for i in np.flatnonzero(diagonal):
+        negative = np.where(np.arange(len(upper)) == i, -upper, upper)
+        params.append(({"inertia": negative}, "BAD_PARAMS"))
+    for i in np.flatnonzero(upper == 0):
+        filled = np.where(np.arange(len(upper)) == i, upper[0] / 9, upper)
+        params.append(({"inertia": filled}, "BAD_PARAMS"))
+    wrong = [int(backend.check_params(given)) != VALUE[status] for given, status in params]
+    limit = LIMITS["rows"]
+    return Check("check_params", backend.name, float(sum(wrong)), limit, len(wrong))
