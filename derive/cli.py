@@ -10,31 +10,25 @@ import io
 import os
 import shlex
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from derive import __version__
-
-if TYPE_CHECKING:
-    from derive.vehicle import Vehicle
+from derive.terminal import (
+    GENERATED,
+    AnyPath,
+    cache,
+    cache_option,
+    everything,
+    give,
+    loaded,
+    out_option,
+    probe,
+    progress,
+)
 
 FINDING, BAD_INPUT, INTERRUPTED, NO_READER = 1, 2, 130, 141
-GENERATED = Path("generated")
-
-AnyPath = click.Path(path_type=Path)
-out_option = click.option(
-    "--out",
-    type=AnyPath,
-    default=GENERATED,
-    show_default=True,
-    help="Folder that holds one folder per vehicle.",
-)
-cache_option = click.option(
-    "--no-cache", is_flag=True, help="Derive anew, whatever earlier calls have kept."
-)
 
 
 @click.group(no_args_is_help=True, context_settings={"help_option_names": ["-h", "--help"]})
@@ -63,7 +57,7 @@ def emit(files: tuple[Path, ...], out: Path, no_cache: bool) -> None:
     """Derive, and write a package of C and numpy per vehicle."""
     from derive import pipeline
 
-    for one in pipeline.emit(_loaded(files), out, _cache(no_cache)):
+    for one in pipeline.emit(loaded(files), out, cache(no_cache)):
         click.echo(f"{'wrote' if one.is_changed else 'unchanged'} {one.folder} ({one.files} files)")
 
 
@@ -77,9 +71,10 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
     Without arguments: every vehicles/*.toml of the current folder.
     """
     from derive import pipeline
+    from derive.place import strangers
 
-    drifted = []
-    for vehicle, drifts in pipeline.check(_loaded(files or _all()), out, _cache(no_cache)):
+    drifted, foreign = [], []
+    for vehicle, drifts in pipeline.check(loaded(files or everything()), out, cache(no_cache)):
         place = out / vehicle.name
         for drift in drifts:
             line = f":{drift.line}" if drift.line else ""
@@ -87,8 +82,11 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
             click.echo(f"  expected: {drift.expected}\n  found:    {drift.found}")
         if drifts:
             drifted.append(vehicle.source)
+            foreign += [str(place / path) for path in strangers(place)]
         else:
             click.echo(f"same {place}")
+    if foreign:
+        click.echo(f"move away first, derive did not write it: {shlex.join(foreign)}")
     if drifted:
         option = [] if out == GENERATED else ["--out", str(out)]
         click.echo(f"update with: {shlex.join(['derive', 'emit', *drifted, *option])}")
@@ -98,6 +96,7 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
 @commands.command()
 @click.argument("file", metavar="VEHICLE.toml", type=AnyPath)
 @click.option("--json", "json_file", type=AnyPath, help="Write the report there; - for the screen.")
+@click.option("--html", "html_file", type=AnyPath, help="Write it as a page; - for the screen.")
 @click.option(
     "--samples",
     default=120,
@@ -113,25 +112,91 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
     help="Seed of the random states.",
 )
 @click.option("--mutants", is_flag=True, help="Also show that every mutant of the code is caught.")
+@click.option("--allow-missing", is_flag=True, help="Exit 0 also where no compiler runs the C.")
 @cache_option
 def verify(
-    file: Path, json_file: Path | None, samples: int, seed: int, mutants: bool, no_cache: bool
+    file: Path,
+    json_file: Path | None,
+    html_file: Path | None,
+    samples: int,
+    seed: int,
+    mutants: bool,
+    allow_missing: bool,
+    no_cache: bool,
 ) -> int:
     """Check every derivative and property against independent truth; worst figure, limit."""
     from derive import pipeline
 
-    (vehicle,) = _loaded((file,))
-    show = _progress()
+    (vehicle,) = loaded((file,))
+    probe(json_file, "--json")
+    probe(html_file, "--html")
+    show = progress()
     try:
         report = pipeline.verify(
-            vehicle, _cache(no_cache), show, each=samples, seed=seed, with_mutants=mutants
+            vehicle, cache(no_cache), show, each=samples, seed=seed, with_mutants=mutants
         )
+    finally:
+        show("")
+    if Path("-") not in (json_file, html_file):
+        click.echo(report.table())
+    if json_file:
+        give(json_file, report.as_json(), "--json")
+    if html_file:
+        give(html_file, report.as_html(), "--html")
+    is_whole = allow_missing or not report.skipped
+    if not is_whole:
+        click.echo("not everything was checked; --allow-missing accepts that", err=True)
+    return 0 if report.ok and is_whole else FINDING
+
+
+@commands.command()
+@click.argument("file", metavar="VEHICLE.toml", type=AnyPath)
+@click.option("--equation", metavar="LABEL", help="Only the steps of this equation of the paper.")
+@click.option("--routine", metavar="NAME", help="Only this one: tracking, reaching or plant.")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "latex", "html"]),
+    help="Where it is left out, by the ending of FILE: .tex, .html, or text.",
+)
+@click.option("--out", type=AnyPath, metavar="FILE", help="Write it there; the screen if left out.")
+@cache_option
+def explain(
+    file: Path,
+    equation: str | None,
+    routine: str | None,
+    form: str | None,
+    out: Path | None,
+    no_cache: bool,
+) -> None:
+    """The derivation step by step: equation, formula, unit, and the lines of C it became."""
+    from derive import explanation
+
+    (vehicle,) = loaded((file,))
+    probe(out, "--out")
+    place = out or Path("-")
+    form = form or {".tex": "latex", ".html": "html"}.get(place.suffix, "text")
+    text = explanation.explain(vehicle, cache(no_cache), form, routine=routine, equation=equation)
+    give(place, text, "--out")
+
+
+@commands.command()
+@click.argument("file", metavar="[VEHICLE.toml]", required=False, type=AnyPath)
+@click.option("--json", "json_file", type=AnyPath, help="Write the report there; - for the screen.")
+def prove(file: Path | None, json_file: Path | None) -> int:
+    """Prove the paper's statements for any group, and for the vehicle's group and inertia."""
+    from derive import pipeline
+
+    vehicle = loaded((file,))[0] if file else None
+    show = progress()
+    try:
+        report = pipeline.prove(vehicle, show)
     finally:
         show("")
     if json_file != Path("-"):
         click.echo(report.table())
     if json_file:
-        _give(json_file, report.as_json())
+        give(json_file, report.as_json(), "--json")
     return 0 if report.ok else FINDING
 
 
@@ -166,46 +231,3 @@ def run(arguments: list[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return NO_READER
     return int(code)
-
-
-def _loaded(files: tuple[Path, ...]) -> list[Vehicle]:
-    from derive.vehicle import load
-
-    return [load(file) for file in files]
-
-
-def _all() -> tuple[Path, ...]:
-    """Every vehicle file of the current folder; raises InputError when there is none."""
-    from derive.vehicle import InputError
-
-    files = tuple(sorted(Path("vehicles").glob("*.toml")))
-    if not files:
-        remedy = "name the vehicle files, or change to the folder that holds vehicles/"
-        raise InputError("vehicles/*.toml", "", "at least one vehicle file", "none", remedy)
-    return files
-
-
-def _cache(no_cache: bool) -> Path | None:
-    from derive import pipeline
-
-    return None if no_cache else pipeline.cache_folder()
-
-
-def _give(path: Path, text: str) -> None:
-    from derive import pipeline
-
-    if path == Path("-"):
-        click.echo(text)
-    else:
-        pipeline.save(path, text if text.endswith("\n") else f"{text}\n", "--json")
-
-
-def _progress() -> Callable[[str], None]:
-    """Shows what is being done on one line of a terminal; silent elsewhere."""
-    if not sys.stderr.isatty():
-        return lambda doing: None
-
-    def show(doing: str) -> None:
-        click.echo(f"\r\x1b[K{doing}", err=True, nl=False)
-
-    return show

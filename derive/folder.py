@@ -13,6 +13,7 @@ import tempfile
 import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
+from errno import EACCES, EISDIR, ENOTDIR
 from pathlib import Path
 
 MANIFEST = "MANIFEST.toml"
@@ -40,14 +41,25 @@ def read(folder: Path) -> dict[str, str]:
 def strangers(folder: Path) -> list[str]:
     """What below folder its manifest does not know; all of it when there is no manifest.
 
-    NotADirectoryError when the place is taken by something else than a folder.
+    An empty folder counts. NotADirectoryError when something else than a folder is there.
     """
     if folder.is_symlink() or not folder.is_dir():
         if os.path.lexists(folder):
-            raise NotADirectoryError(f"{folder.name} is not a folder")
+            raise NotADirectoryError(ENOTDIR, os.strerror(ENOTDIR), str(folder))
         return []
     known = _known(folder / MANIFEST)
-    return [path for path in read(folder) if path not in known]
+    return [path for path in (*read(folder), *_empty(folder, known)) if path not in known]
+
+
+def _empty(folder: Path, known: set[str]) -> Iterator[str]:
+    """Folders below that hold nothing and that no known file has its place in: NAME/."""
+    homes = {parent for path in known for parent in (folder / path).parents}
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder)
+        if "__pycache__" in name.parts or path in homes or path.is_symlink() or not path.is_dir():
+            continue
+        if not any(path.iterdir()):
+            yield f"{name.as_posix()}/"
 
 
 def _known(manifest: Path) -> set[str]:
@@ -134,11 +146,28 @@ def save(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
         return
     place = path.resolve()  # a link stays one
-    beside = place.with_name(f"{PART[0]}{os.urandom(8).hex()}{PART[1]}")
-    try:
+    with _beside(place) as beside:
         beside.write_text(text, encoding="utf-8")
         beside.replace(place)
-    except BaseException:
+
+
+def probe(path: Path) -> None:
+    """OSError where `save` would raise one, before there is a text; leaves all as it is."""
+    if path.is_dir():
+        raise IsADirectoryError(EISDIR, os.strerror(EISDIR), str(path))
+    if not path.exists() or path.is_file():
+        with _beside(path.resolve()) as beside:
+            beside.touch()
+    elif not os.access(path, os.W_OK):
+        raise PermissionError(EACCES, os.strerror(EACCES), str(path))
+
+
+@contextmanager
+def _beside(place: Path) -> Iterator[Path]:
+    """A new name in the folder of a file; nothing is left of it in the end."""
+    beside = place.with_name(f"{PART[0]}{os.urandom(8).hex()}{PART[1]}")
+    try:
+        yield beside
+    finally:
         with suppress(OSError):
             beside.unlink()
-        raise

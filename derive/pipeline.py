@@ -6,19 +6,24 @@ finds its printed data in the cache.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from derive import __version__, cache, folder
+from derive import __version__, cache, folder, place
 from derive.emit.drift import Drift, compare
+from derive.emit.literal import nearest
 from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
+from derive.vehicle_check import pivots
+from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:
+    from derive.control.controller import Routines
     from derive.verify.check import Report
+    from derive.verify.proof.report import ProofReport
 
 Printed = dict[str, Any]
 
@@ -40,9 +45,18 @@ def cache_folder() -> Path | None:
         return None
 
 
+def derivations(vehicle: Vehicle) -> Routines:
+    """Derive everything a vehicle whose group and law are known is emitted with."""
+    from derive.control.controller import routines
+    from derive.control.kinematic import LAWS
+    from derive.lie.catalogue import GROUPS
+
+    group, law = GROUPS[vehicle.group], LAWS[vehicle.group, vehicle.law]
+    return routines(group, law, vehicle.controller, vehicle.pattern)
+
+
 def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
-    from derive.control.controller import routines
     from derive.control.kinematic import LAWS
     from derive.emit.package import package
     from derive.lie.catalogue import GROUPS
@@ -50,7 +64,7 @@ def derived(vehicle: Vehicle) -> Printed:
     facts = resolve(vehicle)
     check_facts(vehicle, facts)
     group, law = GROUPS[vehicle.group], LAWS[vehicle.group, vehicle.law]
-    parts = routines(group, law, vehicle.controller, vehicle.pattern)
+    parts = derivations(vehicle)
     described = {
         "group": group.name,
         "law": f"{law.name} ({law.doc})",
@@ -82,6 +96,7 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
 
 def texts(vehicle: Vehicle, cached: Path | None = None) -> dict[str, str]:
     """Every file of the vehicle's folder, by path below it."""
+    _refuse_lost(vehicle)
     data = printed(vehicle, cached)["targets"]
     values = _values(vehicle)
     files: dict[str, str] = {}
@@ -97,14 +112,33 @@ def texts(vehicle: Vehicle, cached: Path | None = None) -> dict[str, str]:
     return dict(sorted(files.items()))
 
 
+def _refuse_lost(vehicle: Vehicle) -> None:
+    """Raise InputError when rounding to a scalar costs the inertia its definiteness."""
+    for scalar in vehicle.scalars:
+        kept = tuple(tuple(nearest(x, scalar) for x in row) for row in vehicle.inertia)
+        spare = Fraction(LIMITS["spare"].figure * EPS[scalar])
+        short = [i for i, pivot in enumerate(pivots(kept)) if pivot <= spare * kept[i][i]]
+        if not short:
+            continue
+        others = [f'"{other}"' for other in vehicle.scalars if other != scalar]
+        raise InputError(
+            file=vehicle.source,
+            key="inertia",
+            expected=f"positive definite even after rounding to {scalar}, with some ulps to spare",
+            found=f"row {short[0] + 1} then depends on the rows above it",
+            remedy=f"write scalars = [{', '.join(others)}] below [emit]"
+            if others and scalar == "f32"
+            else "give an inertia that is farther from singular",
+        )
+
+
 def emit(vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None) -> list[Written]:
     """Write out/NAME of every vehicle whole, or nothing at all. Raises InputError."""
     _refuse_twins(vehicles)
-    with _told(out, "a folder that can be written to"):
-        for vehicle in vehicles:
-            _refuse_strangers(out / vehicle.name)
+    for vehicle in vehicles:
+        place.refuse_strangers(out / vehicle.name)
     folders = {vehicle.name: texts(vehicle, cached) for vehicle in vehicles}
-    with _told(out, "a folder that can be written to"):
+    with place.told(out, "a folder that can be written to"):
         changed = folder.replace(out, folders)
     return [Written(out / name, len(folders[name]), changed[name]) for name in folders]
 
@@ -117,7 +151,7 @@ def check(
     drifts = []
     for vehicle in vehicles:
         expected = texts(vehicle, cached)
-        with _told(out, "a folder that can be read"):
+        with place.told(out, "a folder that can be read"):
             drifts.append((vehicle, compare(expected, folder.read(out / vehicle.name))))
     return drifts
 
@@ -150,10 +184,14 @@ def verify(
     )
 
 
-def save(path: Path, text: str, option: str) -> None:
-    """Write one file that an option of the command line names, whole. Raises InputError."""
-    with _told(path, "a file that can be written to", option):
-        folder.save(path, text)
+def prove(vehicle: Vehicle | None, progress: Callable[[str], None]) -> ProofReport:
+    """Decide the paper's statements exactly; see derive.verify.proof. Raises InputError."""
+    from derive.verify.proof import run
+
+    if vehicle is None:
+        return run.prove(None, progress=progress)
+    check_facts(vehicle, resolve(vehicle))
+    return run.prove(vehicle.group, vehicle.inertia, progress)
 
 
 def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:
@@ -162,6 +200,10 @@ def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:
     for vehicle in vehicles:
         other = sources.get(vehicle.name.upper())
         sources[vehicle.name.upper()] = vehicle.source
+        if other is not None and Path(other).resolve() == Path(vehicle.source).resolve():
+            found = f"the same file twice, the first time as {other}"
+            expected = "each vehicle file once"
+            raise InputError(vehicle.source, "", expected, found, "name it once in this call")
         if other is not None:
             raise InputError(
                 file=vehicle.source,
@@ -170,33 +212,6 @@ def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:
                 found=f"{vehicle.name!r} here, and in {other}",
                 remedy="rename one of the two, or leave it out of this call",
             )
-
-
-def _refuse_strangers(place: Path) -> None:
-    """Raise InputError when replacing a folder would lose a file that derive did not write."""
-    foreign = folder.strangers(place)
-    if foreign:
-        more = f" and {len(foreign) - 5} more" if len(foreign) > 5 else ""
-        raise InputError(
-            file=str(place),
-            key="--out",
-            expected=f"a folder whose every file its {folder.MANIFEST} knows",
-            found=f"foreign files: {', '.join(foreign[:5])}{more}",
-            remedy="move them away, or choose another folder with --out",
-        )
-
-
-@contextmanager
-def _told(place: Path, expected: str, option: str = "--out") -> Iterator[None]:
-    """Turn what the system refuses into an InputError on the option that names the place."""
-    try:
-        yield
-    except OSError as fault:
-        taken = isinstance(fault, FileExistsError | NotADirectoryError)
-        reason = "a file where a folder has to be" if taken else fault.strerror or str(fault)
-        where = f": {fault.filename}" if fault.filename else ""
-        remedy = f"choose another place with {option}, or mend what is there"
-        raise InputError(str(place), option, expected, f"{reason}{where}", remedy) from fault
 
 
 def _values(vehicle: Vehicle) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from derive.vehicle_check import (
     check_symmetric,
     check_triangle,
 )
-from derive.vehicle_text import InputError, Table, described, nearest, quoted, read, shown
+from derive.vehicle_text import InputError, Table, close, described, quoted, read, shown
 
 __all__ = [
     "CONTROLLERS", "Facts", "InputError", "Vehicle", "check_facts", "load", "resolve",
@@ -155,8 +155,9 @@ def laws_on(group: str) -> tuple[str, ...]:
 
 def _unknown(key: str, word: str, known: tuple[str, ...]) -> tuple[str, str, str]:
     """Expected, found and remedy for a word that is not known."""
-    close = nearest(word, known)
-    return f"one of {', '.join(known)}", described(word), f'write {key} = "{close}", the nearest'
+    meant = close(word, known)
+    remedy = f'write {key} = "{meant}", the nearest' if meant else f"choose a {key} of that list"
+    return f"one of {', '.join(known)}", described(word), remedy
 
 
 def _check_schema(top: Table) -> None:
@@ -194,6 +195,8 @@ def _row(top: Table, number: int, row: object, n: int) -> tuple[Fraction, ...]:
         value = _number(given)
         if value is None or (value and not SMALLEST <= abs(value) <= LARGEST_ENTRY):
             remedy = "write a decimal number in kg m^2, without quotes"
+            if value is not None and abs(value) < SMALLEST and column != number:
+                remedy = "write 0: a coupling that small is none"
             raise top.fault(f"{where}, column {column}", expected, described(given), remedy)
         entries.append(value)
     return tuple(entries)

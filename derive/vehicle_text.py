@@ -95,10 +95,21 @@ def described(value: object) -> str:
 
 def nearest(word: str, known: Iterable[str]) -> str:
     """The known word most like the given one, whatever its case."""
+    return _most_like(word, known, 0.0)[0]
+
+
+def close(word: str, known: Iterable[str]) -> str | None:
+    """The nearest known word if it could have been meant, otherwise None."""
+    return next(iter(_most_like(word, known, 0.6)), None)
+
+
+def _most_like(word: str, known: Iterable[str], cutoff: float) -> list[str]:
+    """At most one known word, with a ratio of difflib of at least cutoff."""
     import difflib
 
     by_lower = {name.lower(): name for name in reversed(tuple(known))}
-    return by_lower[difflib.get_close_matches(word.lower()[:100], by_lower, n=1, cutoff=0.0)[0]]
+    found = difflib.get_close_matches(word.lower()[:100], by_lower, n=1, cutoff=cutoff)
+    return [by_lower[lower] for lower in found]
 
 
 @dataclass(frozen=True)

@@ -139,7 +139,9 @@ def test_a_missing_parent_of_out_is_made(body: Path, home: Path) -> None:
 def test_verify_gives_table_report_and_exit_code(
     body: Path, ok: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    report = SimpleNamespace(ok=ok, table=lambda: "the table", as_json=lambda: '{"ok": 1}')
+    report = SimpleNamespace(
+        ok=ok, skipped=(), table=lambda: "the table", as_json=lambda: '{"ok": 1}'
+    )
     monkeypatch.setattr(pipeline, "verify", lambda *given, **options: report)
     place = body.parent / "report.json"
     assert cli.run(["verify", str(body)]) == (0 if ok else 1)

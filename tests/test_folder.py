@@ -137,6 +137,7 @@ def test_bytes_that_are_not_text_are_told_apart(tmp_path: Path) -> None:
         ("link", lambda path: path.symlink_to("nowhere")),
         ("linked", lambda path: path.symlink_to("c")),
         ("pipe", os.mkfifo),
+        ("empty/", Path.mkdir),
     ],
 )
 def test_what_the_manifest_does_not_know_is_a_stranger(
@@ -153,6 +154,12 @@ def test_with_a_useless_manifest_all_files_are_strangers(tmp_path: Path, manifes
     fill(tmp_path, {"a.txt": ""})
     (tmp_path / "MANIFEST.toml").write_bytes(manifest.encode("utf-8", "surrogateescape"))
     assert set(folder.strangers(tmp_path)) >= {"a.txt"}
+
+
+def test_a_known_folder_that_lost_its_files_is_no_stranger(tmp_path: Path) -> None:
+    fill(tmp_path, OLD)
+    (tmp_path / "c" / "b.txt").unlink()
+    assert folder.strangers(tmp_path) == []
 
 
 def test_no_folder_and_an_empty_one_have_no_strangers(tmp_path: Path) -> None:

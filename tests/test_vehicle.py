@@ -98,9 +98,10 @@ def catalogue(monkeypatch: pytest.MonkeyPatch) -> None:
         (
             "S3",
             "skew",
-            ("law", "exist on S3", "'skew', which exists only on SO3, SE2", "write law"),
+            ("law", "exist on S3", "'skew', which exists only on SO3, SE2", "choose a law"),
         ),
-        ("SO3", "half_log", ("law", "log, skew", "exists only on S3", 'law = "log"')),
+        ("SO3", "half_log", ("law", "log, skew", "exists only on S3", "choose a law")),
+        ("S3", "gibbs", ("law", "one of log, half_log", "'gibbs'", "choose a law of that list")),
     ],
 )
 def test_unknown_group_or_law_is_told_with_those_that_exist(

@@ -6,7 +6,6 @@ pattern has a zero: every vehicle of one pattern shares one derivation.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -129,6 +128,3 @@ def residual(group: Group) -> Derivation:
     off = d.let("off", value, "1", "deviation from the group")
     d.give(Quantity("residual", len(value), "1", "vanishes on the group", place="residual"), off)
     return d.pruned()
-
-
-Builder = Callable[[Group, tuple[bool, ...]], Derivation]

@@ -187,7 +187,7 @@ def _located(text: str) -> list[tuple[str, str, int, int]]:
             routine = begins[1] if begins[1] != "end" else ""
         elif marks and routine:
             found.append((routine, marks[1], number, number))
-        elif found and routine and line.strip():
+        elif found and found[-1][0] == routine and line.strip():
             found[-1] = (*found[-1][:3], number)
     return found
 

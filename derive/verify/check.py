@@ -66,6 +66,12 @@ class Report:
         }
         return json.dumps(body, indent=2) + "\n"
 
+    def as_html(self) -> str:
+        """The same as a page of its own."""
+        from derive.verify.page import page
+
+        return page(self)
+
 
 def _row(check: Check) -> tuple[str, ...]:
     unit = "" if check.limit.unit == "relative" else f" {check.limit.unit}"

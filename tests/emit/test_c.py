@@ -12,7 +12,14 @@ from pathlib import Path
 
 import pytest
 
-from derive.native.compile import FLAGS, WARNINGS_C, WARNINGS_CXX, Compiler, build_object
+from derive.native.compile import (
+    FLAGS,
+    WARNINGS_C,
+    WARNINGS_CXX,
+    CompileError,
+    Compiler,
+    build_object,
+)
 from derive.vehicle import Vehicle
 from derive.vehicle_check import LONGEST_NAME
 from tests.emit import subjects
@@ -66,6 +73,17 @@ def mnemonics(item: Path) -> set[str]:
 
 def strict(name: str) -> tuple[str, ...]:
     return (*FLAGS, *WARNINGS_C[name])
+
+
+@every_compiler
+@every_scalar
+@pytest.mark.parametrize("vehicle", FILES, ids=lambda v: v.name)
+def test_no_flag_may_assume_away_what_control_looks_for(
+    folder: Path, vehicle: Vehicle, scalar: str, name: str
+) -> None:
+    for flag in ("-ffast-math", "-Ofast", "-ffinite-math-only"):
+        with pytest.raises(CompileError, match=rf"leave out .*{flag}.*NaN and infinity"):
+            compiled(vehicle, scalar, name, folder, *FLAGS, flag)
 
 
 @every_compiler

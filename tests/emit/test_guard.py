@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 
 from derive.control.kinematic import LAWS
+from derive.emit.literal import python_name
 from derive.emit.status import FIRST_BAD, STATUSES
 from derive.lie.catalogue import GROUPS
 from derive.native.compile import Compiler
 from derive.native.load import Library, load_module
 from derive.vehicle import Vehicle
 from tests.emit import subjects
-from tests.emit.cases import CUT, NONFINITE, Case, Row, cases, good, is_tracking
+from tests.emit.cases import CUT, EXACT, NONFINITE, RANGE, Case, Row, cases, good, is_tracking
 from tests.emit.subjects import ELEMENT, GUARDED, Array
 
 SCALARS = ("f32", "f64")
@@ -145,6 +146,28 @@ def test_unchecked_parameters_give_a_finite_force(
         command = by_numpy(vehicle, wide, folder, params=params)
         assert command.status.tolist() == [NONFINITE]
         assert not any(getattr(command, field).any() for field in COMMAND)
+
+
+POLES = [vehicle for vehicle in GUARDED if (cut := CUT[vehicle.group, vehicle.law]) and cut[1]]
+
+
+@every_scalar
+@pytest.mark.parametrize("vehicle", POLES, ids=lambda v: v.name)
+def test_the_larger_status_wins_at_a_pole(folder: Path, vehicle: Vehicle, scalar: str) -> None:
+    """At the pole alone 17; with a parameter that is not a number 18, the larger of the two."""
+    built = library(vehicle, scalar, folder)
+    angle, _ = CUT[vehicle.group, vehicle.law] or (0.0, False)
+    for stored in EXACT[vehicle.group, angle]:
+        at = {**good(vehicle), "g": np.array(stored, float)}
+        wide = {name: value[None] for name, value in at.items()}
+        assert called(built, at)["status"] == RANGE
+        assert by_numpy(vehicle, wide, folder).status.tolist() == [RANGE]
+        for name, value in built.defaults.items():
+            spoilt = {name: np.full_like(value, np.nan)}
+            assert called(built, at, params=spoilt)["status"] == NONFINITE
+            own = module(vehicle, folder).DEFAULTS
+            params = own._replace(**{python_name(name): spoilt[name].astype(float)})
+            assert by_numpy(vehicle, wide, folder, params=params).status.tolist() == [NONFINITE]
 
 
 def elements(vehicle: Vehicle, scalar: str) -> str:

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.native.load import Library
+from derive.emit.literal import python_name
+from derive.native.load import Library, load_module
 from derive.vehicle import Vehicle
 from tests.emit import subjects
 from tests.emit.subjects import FILES, SPARSE, STEERED, Array
@@ -100,6 +101,64 @@ def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: st
         assert np.linalg.eigvalsh(full, "U").min() > 0
         gains = {name: LIMIT for name in built.defaults if name != "inertia"}
         assert built.check_params(params={"inertia": matrix, **gains}) == 0
+
+
+def in_numpy(made: Any, params: dict[str, Any]) -> Any:
+    """Params of the emitted module, those that are not given as in the vehicle file."""
+    return made.DEFAULTS._replace(**{python_name(name): one for name, one in params.items()})
+
+
+def drawn(vehicle: Vehicle, defaults: dict[str, Array], count: int) -> dict[str, Array]:
+    """Random parameters about the defaults: good ones, indefinite ones, a few bits flipped."""
+    random = np.random.default_rng(11)
+    noise = random.normal(size=(count, len(vehicle.pattern))) * random.uniform(0, 1, (count, 1))
+    inertia = defaults["inertia"] * (1 + noise)
+    inertia += np.where(random.uniform(size=(count, 1)) < 0.2, random.normal(size=noise.shape), 0)
+    params = {"inertia": inertia * 10.0 ** random.integers(-8, 9, (count, 1))}
+    for name in defaults.keys() - {"inertia"}:
+        params[name] = random.normal(2, 1, count) * 10.0 ** random.integers(-30, 10, count)
+    for values in params.values():
+        flat = values.view(np.uint64).reshape(-1)
+        places = random.integers(0, flat.size, count // 10)
+        flat[places] ^= np.uint64(1) << random.integers(0, 64, len(places), np.uint64)
+    return params
+
+
+@pytest.mark.parametrize("vehicle", FORMS, ids=lambda v: v.name)
+def test_numpy_and_c_judge_parameters_alike(folder: Path, vehicle: Vehicle) -> None:
+    built = subjects.library(vehicle, "f64", folder)
+    made = load_module(folder / vehicle.name / f"numpy/{vehicle.name}.py")
+    assert made.check_params().shape == ()
+    assert made.check_params() == made.OK
+    for name, params in refused(vehicle, built.defaults):
+        assert made.check_params(in_numpy(made, params)) == BAD, name
+    many = drawn(vehicle, built.defaults, 4000)
+    got = made.check_params(in_numpy(made, many))
+    rows = [{name: one[i] for name, one in many.items()} for i in range(4000)]
+    assert got.tolist() == [int(built.check_params(params=row)) for row in rows]
+    assert {0, BAD} == set(got.tolist())
+
+
+@pytest.mark.parametrize("vehicle", FORMS, ids=lambda v: v.name)
+def test_numpy_parameters_have_the_shape_they_say(folder: Path, vehicle: Vehicle) -> None:
+    made = load_module(subjects.place(vehicle, folder) / f"numpy/{vehicle.name}.py")
+    n, size = len(vehicle.inertia), len(vehicle.pattern)
+    gain = python_name(vehicle.gains[0][0])
+    nu = np.ones(n)
+    for wrong in (np.eye(n), np.ones((7, size + 3)), np.ones(size - 1), 1.0):
+        params = made.DEFAULTS._replace(inertia=wrong)
+        told = rf"inertia: expected an array \(\.\.\., {size}\), found"
+        with pytest.raises(ValueError, match=told):
+            made.check_params(params)
+        with pytest.raises(ValueError, match=told):
+            made.plant(nu, nu, params)
+    spread = made.DEFAULTS._replace(**{gain: [[1.0], [-1.0]]}, inertia=[made.DEFAULTS.inertia] * 3)
+    assert made.check_params(spread).tolist() == [[0] * 3, [BAD] * 3]
+    empty = made.DEFAULTS._replace(inertia=np.ones((0, size)))
+    assert made.check_params(empty).shape == (0,)
+    for odd in (1j, "1", None, np.ma.masked):
+        with pytest.raises(TypeError, match=rf"{gain}: expected real numbers, found an? "):
+            made.check_params(made.DEFAULTS._replace(**{gain: odd}))
 
 
 def test_the_defaults_are_the_numbers_of_the_file(folder: Path) -> None:

@@ -51,6 +51,13 @@ def test_a_quaternion_goes_on_to_two_pi() -> None:
         assert off(rate, nu) < TINY  # along the axis the rate is the velocity
 
 
+@pytest.mark.parametrize("name", ["SO3", "SE3", "S3"])
+def test_a_hair_from_the_cut_costs_no_step_per_digit(name: str) -> None:
+    full = 2 * mp.pi if name == "S3" else mp.pi
+    x = at_angle(name, full - mp.mpf("1e-45"), 1)
+    assert worst(name, matrix_truth.log(name, matrix_truth.exp(name, x)), x) < TINY
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_exp_and_log_are_those_of_scipy(name: str) -> None:
     x = draw(name, 3)[0]
@@ -151,9 +158,19 @@ def test_rate_of_log_at_the_edges(angle: str) -> None:
     assert worst("SE3", back, nu) < mp.mpf("1e-34")
 
 
+@pytest.mark.parametrize("scale", ["1e-100", "1e25"])
+def test_a_rate_is_linear_in_the_velocity(scale: str) -> None:
+    g, nu = matrix_truth.exp("SE3", at_angle("SE3", 2, 1)), draw("SE3", 15)[0]
+    scaled = matrix_truth.rate("SE3", g, [mp.mpf(scale) * x for x in nu])
+    wanted = [mp.mpf(scale) * x for x in matrix_truth.rate("SE3", g, nu)]
+    assert worst("SE3", scaled, wanted) < TINY
+
+
+@pytest.mark.parametrize("scale", ["1e-100", "1", "1e25"])
 @pytest.mark.parametrize("name", NAMES)
-def test_a_pull_grows_with_the_bracket(name: str) -> None:
+def test_a_pull_grows_with_the_bracket(name: str, scale: str) -> None:
     x, nu, start, growth = draw(name, 10, 4)
+    nu, growth = ([mp.mpf(scale) * entry for entry in each] for each in (nu, growth))
     g = matrix_truth.exp(name, x)
     pulled, grown = (matrix_truth.pull(name, g, each) for each in (start, growth))
     turning = matrix_truth.bracket(name, nu, pulled)
@@ -192,11 +209,14 @@ def test_what_is_no_element_is_refused(name: str, stored: Any, message: str) -> 
         matrix_truth.element(name, stored)
 
 
-@pytest.mark.parametrize(
-    ("name", "stored"), [("SO2", (-1, 0, 0, -1)), ("SO3", (-1, 0, 0, 0, -1, 0, 0, 0, 1)),
-                         ("S3", (-1, 0, 0, 0))]
-)  # fmt: skip
+AXIS = np.array([2, -3, 6]) / 7
+HALF_TURN = (2 * np.outer(AXIS, AXIS) - np.eye(3)).ravel().tolist()  # a tie but for rounding
+CUT = [("SO2", (-1, 0, 0, -1)), ("SO3", (-1, 0, 0, 0, -1, 0, 0, 0, 1)), ("SO3", HALF_TURN),
+       ("S3", (-1, 0, 0, 0))]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "stored"), CUT)
 def test_no_logarithm_is_principal_at_the_cut(name: str, stored: Any) -> None:
     with pytest.raises(ValueError, match="singular"):
         matrix_truth.log(name, matrix_truth.element(name, stored))
-    assert norm(matrix_truth.law(name, "skew", matrix_truth.element(name, stored))) == 0
+    assert norm(matrix_truth.law(name, "skew", matrix_truth.element(name, stored))) < 1e-120

@@ -60,21 +60,19 @@ def control(
 ) -> Command:
     """Guarded controller: force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
 
-    Arguments as for `tracking`, real numbers only. Where the status is 16 or larger, the
-    whole command is zero.
+    Arguments as for `tracking`, real numbers only, computed and judged in double; TypeError for
+    others. Where the status is 16 or larger, the whole command is zero.
     """
     given = [
-        np.asarray(params.inertia),
-        np.asarray(params.lambda_)[..., None],
-        np.asarray(params.k_s)[..., None],
-        _rows(g, (3, 3)),
-        _rows(nu, (3,)),
-        _rows(g_r, (3, 3)),
-        _rows(nu_r, (3,)),
-        _rows(nu_r_dot, (3,)),
+        _real("inertia", params.inertia, (6,)),
+        _real("lambda_", params.lambda_, ()),
+        _real("k_s", params.k_s, ()),
+        _real("g", g, (3, 3)),
+        _real("nu", nu, (3,)),
+        _real("g_r", g_r, (3, 3)),
+        _real("nu_r", nu_r, (3,)),
+        _real("nu_r_dot", nu_r_dot, (3,)),
     ]
-    if any(np.iscomplexobj(one) for one in given):
-        raise TypeError("control takes real numbers; complex steps go through `tracking`")
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
         batch = command[0].shape[:-1]
@@ -94,6 +92,27 @@ def control(
     return Command(*(np.where(bad, 0.0, one) for one in command), status)
 
 
+def check_params(params: Params = DEFAULTS) -> Array:
+    """OK or BAD_PARAMS of each set of parameters, (...); real numbers only.
+
+    BAD_PARAMS where a number is not finite or beyond MAX_PARAM, a gain is not positive, or the
+    inertia is not positive definite, or not zero where the derivation took a zero for granted.
+    """
+    given = [
+        _real("inertia", params.inertia, (6,)),
+        _real("lambda_", params.lambda_, ()),
+        _real("k_s", params.k_s, ()),
+    ]
+    inertia, *gains = given
+    with np.errstate(all="ignore"):
+        pivots = _batched(_definiteness, [inertia])[0]
+        good = (np.abs(inertia) <= MAX_PARAM).all(-1) & (pivots > 0.0).all(-1)
+        good = good & (inertia[..., [1, 2, 4]] == 0.0).all(-1)
+        for gain in gains:
+            good = good & ((gain > 0.0) & (gain <= MAX_PARAM))[..., 0]
+    return np.where(good, OK, BAD_PARAMS)
+
+
 def tracking(
     g: Array, nu: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
 ) -> Command:
@@ -104,17 +123,18 @@ def tracking(
     g_r: reference configuration: rotation matrix, row by row [1], (..., 3, 3)
     nu_r: reference velocity, reference body frame [rad/s], (..., 3)
     nu_r_dot: its rate [rad/s^2], (..., 3)
+    Nothing is judged: every status is OK.
     Complex arrays pass through, for complex-step derivatives.
     """
     given = [
-        np.asarray(params.inertia),
-        np.asarray(params.lambda_)[..., None],
-        np.asarray(params.k_s)[..., None],
-        _rows(g, (3, 3)),
-        _rows(nu, (3,)),
-        _rows(g_r, (3, 3)),
-        _rows(nu_r, (3,)),
-        _rows(nu_r_dot, (3,)),
+        _rows("inertia", params.inertia, (6,)),
+        _rows("lambda_", params.lambda_, ()),
+        _rows("k_s", params.k_s, ()),
+        _rows("g", g, (3, 3)),
+        _rows("nu", nu, (3,)),
+        _rows("g_r", g_r, (3, 3)),
+        _rows("nu_r", nu_r, (3,)),
+        _rows("nu_r_dot", nu_r_dot, (3,)),
     ]
     command = _batched(_law, given)[:4]
     return Command(*command, np.full(command[0].shape[:-1], OK))
@@ -127,14 +147,15 @@ def reaching(
 
     g: configuration: rotation matrix, row by row [1], (..., 3, 3)
     nu: body velocity [rad/s], (..., 3)
+    Nothing is judged: every status is OK.
     Complex arrays pass through, for complex-step derivatives.
     """
     given = [
-        np.asarray(params.inertia),
-        np.asarray(params.lambda_)[..., None],
-        np.asarray(params.k_s)[..., None],
-        _rows(g, (3, 3)),
-        _rows(nu, (3,)),
+        _rows("inertia", params.inertia, (6,)),
+        _rows("lambda_", params.lambda_, ()),
+        _rows("k_s", params.k_s, ()),
+        _rows("g", g, (3, 3)),
+        _rows("nu", nu, (3,)),
     ]
     command = _batched(_reaching, given)[:4]
     return Command(*command, np.full(command[0].shape[:-1], OK))
@@ -150,20 +171,31 @@ def plant(
     Complex arrays pass through, for complex-step derivatives.
     """
     given = [
-        np.asarray(params.inertia),
-        _rows(nu, (3,)),
-        _rows(force, (3,)),
+        _rows("inertia", params.inertia, (6,)),
+        _rows("nu", nu, (3,)),
+        _rows("force", force, (3,)),
     ]
     return _batched(_plant, given)[0]
 
 
-def _rows(value: Array, shape: tuple[int, ...]) -> Array:
+def _real(name: str, value: Array, shape: tuple[int, ...]) -> Array:
+    """As _rows, in double; TypeError for a mask, and for what is not real numbers."""
+    array = np.asarray(value)
+    is_masked = isinstance(value, np.ma.MaskedArray)
+    if is_masked or array.dtype.kind not in "biuf":
+        found = "a masked array" if is_masked else f"an array of {array.dtype}"
+        raise TypeError(f"{name}: expected real numbers, found {found}")
+    with np.errstate(all="ignore"):  # beyond the largest double it is infinite, and so judged
+        return _rows(name, array.astype(np.float64), shape)
+
+
+def _rows(name: str, value: Array, shape: tuple[int, ...]) -> Array:
     """value (..., *shape) as (..., k); ValueError when its last axes are others."""
     array = np.asarray(value)
     split = array.ndim - len(shape)
     if array.shape[max(split, 0) :] != shape:
         wanted = ", ".join(map(str, shape))
-        raise ValueError(f"expected an array (..., {wanted}), found {array.shape}")
+        raise ValueError(f"{name}: expected an array (..., {wanted}), found {array.shape}")
     return array.reshape(*array.shape[:split], int(np.prod(shape)))
 
 
@@ -512,4 +544,16 @@ def _residual(
     # -- end --
     return (
         (off_0, off_1, off_2, off_3, off_4, off_5, off_6),
+    )
+
+
+def _definiteness(
+    inertia: Array,
+) -> Array:
+    """Pivots of the inertia: all positive for a valid one."""
+    # -- definiteness --
+    inertia_0, inertia_3, inertia_5 = inertia[0], inertia[3], inertia[5]
+    # -- end --
+    return (
+        (inertia_0, inertia_3, inertia_5),
     )

@@ -5,7 +5,8 @@
  * Configuration: unit quaternion, Hamilton, scalar first.
  * Velocities and forces are in the body frame; the reference velocity is in the reference
  * body frame. Pointers must not be null. No heap, no mutable globals, no recursion; of libm
- * only sqrt.
+ * only sqrt. The source refuses -ffast-math, -Ofast and -ffinite-math-only:
+ * with them control would not see NaN and infinity.
  */
 #ifndef PAPER_S3_F64_H
 #define PAPER_S3_F64_H

@@ -6,6 +6,10 @@
 
 #include <math.h>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -489,15 +493,15 @@ static paper_s3_f32_status paper_s3_f32_verdict(const paper_s3_f32_command *comm
     const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
     int row;
     int i;
-    if (clearance < PAPER_S3_F32_REFUSED_CUT) {
-        return PAPER_S3_F32_OUT_OF_RANGE;
-    }
     for (row = 0; row < 4; row++) {
         for (i = 0; i < 3; i++) {
             if (!isfinite(rows[row][i])) {
                 return PAPER_S3_F32_NONFINITE_INPUT;
             }
         }
+    }
+    if (clearance < PAPER_S3_F32_REFUSED_CUT) {
+        return PAPER_S3_F32_OUT_OF_RANGE;
     }
     return clearance < PAPER_S3_F32_NEAR_CUT ? PAPER_S3_F32_NEAR_CUT_LOCUS : PAPER_S3_F32_OK;
 }

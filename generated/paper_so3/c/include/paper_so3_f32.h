@@ -5,7 +5,8 @@
  * Configuration: rotation matrix, row by row.
  * Velocities and forces are in the body frame; the reference velocity is in the reference
  * body frame. Pointers must not be null. No heap, no mutable globals, no recursion; of libm
- * only sqrtf.
+ * only sqrtf. The source refuses -ffast-math, -Ofast and -ffinite-math-only:
+ * with them control would not see NaN and infinity.
  */
 #ifndef PAPER_SO3_F32_H
 #define PAPER_SO3_F32_H

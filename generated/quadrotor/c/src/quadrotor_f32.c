@@ -6,6 +6,10 @@
 
 #include <math.h>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -450,15 +454,15 @@ static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_command *c
     const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
     int row;
     int i;
-    if (clearance < QUADROTOR_F32_REFUSED_CUT) {
-        return QUADROTOR_F32_OUT_OF_RANGE;
-    }
     for (row = 0; row < 4; row++) {
         for (i = 0; i < 3; i++) {
             if (!isfinite(rows[row][i])) {
                 return QUADROTOR_F32_NONFINITE_INPUT;
             }
         }
+    }
+    if (clearance < QUADROTOR_F32_REFUSED_CUT) {
+        return QUADROTOR_F32_OUT_OF_RANGE;
     }
     return clearance < QUADROTOR_F32_NEAR_CUT ? QUADROTOR_F32_NEAR_CUT_LOCUS : QUADROTOR_F32_OK;
 }

@@ -6,6 +6,10 @@
 
 #include <math.h>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -462,15 +466,15 @@ static quadrotor_f64_status quadrotor_f64_verdict(const quadrotor_f64_command *c
     const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
     int row;
     int i;
-    if (clearance < QUADROTOR_F64_REFUSED_CUT) {
-        return QUADROTOR_F64_OUT_OF_RANGE;
-    }
     for (row = 0; row < 4; row++) {
         for (i = 0; i < 3; i++) {
             if (!isfinite(rows[row][i])) {
                 return QUADROTOR_F64_NONFINITE_INPUT;
             }
         }
+    }
+    if (clearance < QUADROTOR_F64_REFUSED_CUT) {
+        return QUADROTOR_F64_OUT_OF_RANGE;
     }
     return clearance < QUADROTOR_F64_NEAR_CUT ? QUADROTOR_F64_NEAR_CUT_LOCUS : QUADROTOR_F64_OK;
 }

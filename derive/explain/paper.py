@@ -1,0 +1,105 @@
+"""What the paper says of a step or a routine without coordinates, for any group.
+
+Written once, as Python spells it, so that a test evaluates what a reader sees. `Ad`, `ad` and
+`coad` act on what follows, `prime` is a derivative.
+"""
+
+from __future__ import annotations
+
+import ast
+
+from derive.explain.notation import Notation
+
+ROUTINES = {
+    "tracking": (
+        "force == coad(rate_gain*nu_u - eta)*I*nu + I*(eta_dot - rate_gain*nu_u_dot - reach_gain*s)"
+    ),
+    "reaching": "force == coad(rate_gain*nu_u)*I*nu - I*(rate_gain*nu_u_dot + reach_gain*s)",
+    "plant": "I*nu_dot == coad(nu)*I*nu + force",
+}
+"""Routine -> what it computes as a whole."""
+
+STEPS = {
+    ("tracking", "g_e"): "g_e == g_r**-1 * g",
+    ("tracking", "to_body"): "to_body == Ad(g_e**-1)",
+    ("tracking", "eta"): "eta == Ad(g_e**-1)*nu_r",
+    ("tracking", "eta_dot"): "eta_dot == Ad(g_e**-1)*nu_r_dot - ad(nu_e)*eta",
+    ("tracking", "momentum"): "momentum == I*nu",
+    ("tracking", "force"): "force == coad(turning)*momentum + I*wanted",
+    ("reaching", "momentum"): "momentum == I*nu",
+    ("reaching", "force"): "force == coad(drive)*momentum + I*wanted",
+    ("plant", "momentum"): "momentum == I*nu",
+    ("plant", "total"): "total == coad(nu)*momentum + force",
+}
+"""(routine, step) -> the step without coordinates, where its entries do not say it already."""
+
+KERNELS = {
+    "k": (
+        "k(w) == arccos(w)/sqrt(1 - w**2)",
+        "(1 - w**2)*h(w) == 1 - w*k(w)",
+        "h(w) == -prime(k)(w)",
+    ),
+    "h": ("h(w) == -prime(k)(w)", "(1 - w**2)*h(w) == 1 - w*k(w)"),
+    "m": ("m(w) == -prime(h)(w)", "(1 - w**2)*m(w) == k(w) - 3*w*h(w)"),
+}
+"""Special function -> its definition, and the identities that are used."""
+
+CONSTANTS = {
+    "TINY": "rounds away beside any normal number, and keeps divisors from being zero",
+    "SMALL": "a sine below which an error beyond pi has no axis",
+}
+"""Named constant -> what it is for."""
+
+
+def said(source: str, n: Notation) -> str:
+    """A formula of this module in a notation, displayed."""
+    return n.single % _node(ast.parse(source, mode="eval").body, n)
+
+
+def _node(node: ast.expr, n: Notation) -> str:
+    match node:
+        case ast.Name(name):
+            return n.symbol(name)
+        case ast.Constant(value):
+            return n.symbol(str(value))
+        case ast.Compare(left, _, [right]):
+            return _node(left, n) + n.relation % "=" + _node(right, n)
+        case ast.UnaryOp(_, operand):
+            return n.minus + _operand(operand, n)
+        case ast.BinOp(left, operator, right):
+            return _binary(left, operator, right, n)
+        case ast.Call(function, arguments):
+            return _call(function, tuple(_node(one, n) for one in arguments), n)
+    raise TypeError(f"no rule reads {ast.dump(node)}")
+
+
+def _binary(left: ast.expr, operator: ast.operator, right: ast.expr, n: Notation) -> str:
+    match operator:
+        case ast.Add():
+            return _node(left, n) + n.plus + _node(right, n)
+        case ast.Sub():
+            return _node(left, n) + n.less + _operand(right, n)
+        case ast.Mult():
+            return _operand(left, n) + n.product + _operand(right, n)
+        case ast.Pow():
+            return n.power % (_node(left, n), _node(right, n))
+    above, below = _node(left, n), _node(right, n)
+    if n.is_flat:
+        is_many = isinstance(right, ast.BinOp) and not isinstance(right.op, ast.Pow)
+        above, below = _operand(left, n), n.group % below if is_many else below
+    return n.fraction % (above, below)
+
+
+def _operand(node: ast.expr, n: Notation) -> str:
+    """In parentheses when it is a sum."""
+    is_sum = isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)
+    return n.group % _node(node, n) if is_sum else _node(node, n)
+
+
+def _call(function: ast.expr, given: tuple[str, ...], n: Notation) -> str:
+    name = function.id if isinstance(function, ast.Name) else ""
+    if name in n.actions:
+        return n.actions[name] % given[0]
+    if name in (patterns := {"sqrt": n.root, "prime": n.prime}):
+        return patterns[name] % given[0]
+    return n.call % (_node(function, n), given[0])

@@ -1,0 +1,81 @@
+"""What every command shares: common options, reading vehicle files, giving text, progress."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from derive.vehicle import Vehicle
+
+GENERATED = Path("generated")
+
+AnyPath = click.Path(path_type=Path)
+out_option = click.option(
+    "--out",
+    type=AnyPath,
+    default=GENERATED,
+    show_default=True,
+    help="Folder that holds one folder per vehicle.",
+)
+cache_option = click.option(
+    "--no-cache", is_flag=True, help="Derive anew, whatever earlier calls have kept."
+)
+
+
+def loaded(files: tuple[Path, ...]) -> list[Vehicle]:
+    """The vehicles of those files; raises InputError."""
+    from derive.vehicle import load
+
+    return [load(file) for file in files]
+
+
+def everything() -> tuple[Path, ...]:
+    """Every vehicle file of the current folder; raises InputError when there is none."""
+    from derive.vehicle import InputError
+
+    files = tuple(sorted(Path("vehicles").glob("*.toml")))
+    if not files:
+        remedy = "name the vehicle files, or change to the folder that holds vehicles/"
+        raise InputError("vehicles/*.toml", "", "at least one vehicle file", "none", remedy)
+    return files
+
+
+def cache(no_cache: bool) -> Path | None:
+    """The folder of earlier derivations, unless the option says to do without."""
+    from derive import pipeline
+
+    return None if no_cache else pipeline.cache_folder()
+
+
+def probe(path: Path | None, option: str) -> None:
+    """Raise InputError now where `give` would later, after the work."""
+    from derive import place
+
+    if path is not None and path != Path("-"):
+        place.probe(path, option)
+
+
+def give(path: Path, text: str, option: str) -> None:
+    """Write text where an option says; - is the screen. Raises InputError."""
+    from derive import place
+
+    if path == Path("-"):
+        click.echo(text, nl=not text.endswith("\n"))
+    else:
+        place.save(path, text if text.endswith("\n") else f"{text}\n", option)
+
+
+def progress() -> Callable[[str], None]:
+    """Shows what is being done on one line of a terminal; silent elsewhere."""
+    if not sys.stderr.isatty():
+        return lambda doing: None
+
+    def show(doing: str) -> None:
+        click.echo(f"\r\x1b[K{doing}", err=True, nl=False)
+
+    return show
