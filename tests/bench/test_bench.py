@@ -11,23 +11,12 @@ import pytest
 from bench import __main__ as bench
 from bench import size, throughput
 from bench.figure import Figure
-from derive.verify.limits import LIMITS
 
 
 def run(monkeypatch: pytest.MonkeyPatch, figures: list[Figure], *arguments: str) -> int:
     monkeypatch.setattr(bench, "PARTS", {"one": lambda folder: figures})
     monkeypatch.setattr(sys, "argv", ["bench", *arguments])
     return bench.main()
-
-
-def test_the_promised_figures_stand_in_the_table() -> None:
-    promised = {limit.name: (limit.figure, limit.unit) for limit in LIMITS.values()}
-    assert promised == {
-        "paper_so3 f64 tracking": (560, "instructions"),
-        "emit, nothing cached": (1.5, "s"),
-        "emit, cached": (0.35, "s"),
-        "help": (0.15, "s"),
-    }
 
 
 @pytest.mark.parametrize(("value", "code", "word"), [(0.15, 0, "ok"), (0.151, 1, "EXCEEDED")])

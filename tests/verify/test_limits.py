@@ -1,0 +1,34 @@
+"""The table of limits says what was promised, and nothing else may move it."""
+
+from __future__ import annotations
+
+from derive.verify.limits import LIMITS
+
+PROMISED = {
+    "log": (3, "eps"),
+    "rate": (4, "eps"),
+    "beyond_pi": (20, "eps"),
+    "force_f64": (2e-14, "relative"),
+    "force_f32": (1e-5, "relative"),
+    "differences": (1e-12, "relative"),
+    "complex_step": (5e-15, "relative"),
+    "twin": (1e-12, "relative"),
+    "symbolic": (1e-40, "relative"),
+    "rows": (0, "rows"),
+    "mutant": (30, "eps"),
+    "coefficient": (1e-9, "relative"),
+    "seeds": (20, "seeds"),
+    "either side": (8, "eps"),
+    "cancellation": (20, "times"),
+    "spare": (32, "eps"),
+    "paper_so3 f64 tracking": (560, "instructions"),
+    "emit, nothing cached": (1.5, "s"),
+    "emit, cached": (0.35, "s"),
+    "help": (0.15, "s"),
+    "prove": (15, "s"),
+    "prove_se3": (60, "s"),
+}
+
+
+def test_every_limit_is_the_promised_one() -> None:
+    assert {limit.name: (limit.figure, limit.unit) for limit in LIMITS.values()} == PROMISED
