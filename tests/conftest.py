@@ -1,6 +1,7 @@
 """Property tests are the same at every run, in CI without luck; and what commands start from."""
 
 import os
+import signal
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,10 @@ from tests.command import FILES, derive
 settings.register_profile("laptop", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True, database=None, print_blob=True)
 settings.load_profile("ci" if os.environ.get("CI") else "laptop")
+
+# A run in the background inherits an ignored SIGINT, and so would every command that a test
+# starts and interrupts; a handler here is the default there.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
