@@ -48,22 +48,23 @@ def cache_folder() -> Path | None:
 def derivations(vehicle: Vehicle) -> Routines:
     """Derive everything a vehicle whose group and law are known is emitted with."""
     from derive.control.controller import routines
-    from derive.control.kinematic import LAWS
-    from derive.lie.catalogue import GROUPS
+    from derive.control.kinematic import laws_of
+    from derive.lie.catalogue import named
 
-    group, law = GROUPS[vehicle.group], LAWS[vehicle.group, vehicle.law]
-    return routines(group, law, vehicle.controller, vehicle.pattern)
+    group = named(vehicle.group)
+    return routines(group, laws_of(group)[vehicle.law], vehicle.controller, vehicle.pattern)
 
 
 def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
-    from derive.control.kinematic import LAWS
+    from derive.control.kinematic import laws_of
     from derive.emit.package import package
-    from derive.lie.catalogue import GROUPS
+    from derive.lie.catalogue import named
 
     facts = resolve(vehicle)
     check_facts(vehicle, facts)
-    group, law = GROUPS[vehicle.group], LAWS[vehicle.group, vehicle.law]
+    group = named(vehicle.group)
+    law = laws_of(group)[vehicle.law]
     parts = derivations(vehicle)
     described = {
         "group": group.name,
@@ -73,7 +74,7 @@ def derived(vehicle: Vehicle) -> Printed:
         "dim": group.dim,
         "stored": len(group.identity),
         "element_shape": list(group.shape),
-        "is_pole": law.is_pole,
+        "is_pole": law.is_pole(group),
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
     }
     data = package(vehicle.name, parts.main, parts.public, parts.inner, described)

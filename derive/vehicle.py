@@ -138,19 +138,24 @@ def check_law(file: str, group: str, law: str) -> None:
 
 
 def look_up(file: str, group: str) -> Facts:
-    """The facts of a group; raises InputError for a name that is not in the catalogue."""
-    from derive.lie.catalogue import GROUPS
+    """The facts of a group or a product; raises InputError for a factor nobody knows."""
+    from derive.lie.catalogue import GROUPS, named
 
-    if group not in GROUPS:
-        raise InputError(file, "group", *_unknown("group", group, tuple(GROUPS)))
-    return Facts(dim=GROUPS[group].dim, is_rotation=GROUPS[group].is_rotation)
+    for factor in group.split(" x "):
+        if factor.strip() not in GROUPS:
+            known = (*GROUPS, "and products of them such as SO3 x R3")
+            _, told, remedy = _unknown("group", factor.strip(), tuple(GROUPS))
+            raise InputError(file, "group", f"one of {', '.join(known)}", told, remedy)
+    found = named(group)
+    return Facts(dim=found.dim, is_rotation=found.is_rotation)
 
 
 def laws_on(group: str) -> tuple[str, ...]:
     """Names of the kinematic laws that exist on a group."""
-    from derive.control.kinematic import LAWS
+    from derive.control.kinematic import laws_of
+    from derive.lie.catalogue import named
 
-    return tuple(law for there, law in LAWS if there == group)
+    return tuple(laws_of(named(group)))
 
 
 def _unknown(key: str, word: str, known: tuple[str, ...]) -> tuple[str, str, str]:

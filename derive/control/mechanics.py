@@ -15,9 +15,6 @@ from sympy import ImmutableMatrix, Matrix
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
 
-ACCELERATION = "rad/s^2"
-FORCE = "N m"
-
 
 @dataclass(frozen=True)
 class MechanicalSystem:
@@ -30,6 +27,11 @@ class MechanicalSystem:
     def dim(self) -> int:
         """n, the dimension of the group."""
         return self.group.dim
+
+    @property
+    def momentum_unit(self) -> str:
+        """Units of I nu."""
+        return ", ".join(f"{unit} s" for unit in self.group.force_unit.split(", "))
 
     def flat(self, x: Matrix) -> Matrix:
         """I x: velocity (n, 1) to momentum (n, 1)."""
@@ -67,10 +69,10 @@ class MechanicalSystem:
         x = list(a)
         for i in range(n):
             left = sum((lower[i, k] * x[k] for k in range(i)), sympy.S.Zero)
-            x[i] = d.let(f"forward_{i}", x[i] - left, FORCE, "forward substitution")
+            x[i] = d.let(f"forward_{i}", x[i] - left, self.group.force_unit, "forward substitution")
         for i in reversed(range(n)):
             left = sum((lower[k, i] * x[k] for k in range(i + 1, n)), sympy.S.Zero)
-            x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, ACCELERATION, "back substitution")
+            x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, self.group.acceleration_unit, "back substitution")
         return Matrix(x)
 
 
@@ -99,12 +101,12 @@ def plant(group: Group, pattern: tuple[bool, ...]) -> Derivation:
     d = Derivation("plant", "acceleration under a force, Euler-Poincare", "eq. (EulerP)")
     n = group.dim
     system = take_system(d, group, pattern)
-    nu = d.take(Quantity("nu", n, group.units[0], "body velocity", place="state.nu"))
-    force = d.take(Quantity("force", n, FORCE, "applied force", place="force"))
-    momentum = d.let("momentum", system.flat(nu), "N m s", "I nu")
-    total = d.let("total", group.coad(nu) * momentum + force, FORCE, "coad(nu) I nu + force")
+    nu = d.take(Quantity("nu", n, group.unit, "body velocity", place="state.nu"))
+    force = d.take(Quantity("force", n, group.force_unit, "applied force", place="force"))
+    momentum = d.let("momentum", system.flat(nu), system.momentum_unit, "I nu")
+    total = d.let("total", group.coad(nu) * momentum + force, group.force_unit, "coad(nu) I nu + force")
     nu_dot = system.solve(d, total)
-    output = Quantity("nu_dot", n, ACCELERATION, "body acceleration", place="nu_dot")
+    output = Quantity("nu_dot", n, group.acceleration_unit, "body acceleration", place="nu_dot")
     d.give(output, nu_dot)
     return d.pruned()
 

@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Expr, Matrix
 
 from derive.control.kinematic import KinematicLaw
-from derive.control.mechanics import ACCELERATION, FORCE, MechanicalSystem, take_system
+from derive.control.mechanics import MechanicalSystem, take_system
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
 
@@ -24,20 +24,20 @@ def tracking(group: Group, law: KinematicLaw, pattern: tuple[bool, ...]) -> Deri
     nu_r = _velocity(d, group, "nu_r", "reference velocity, reference body frame", "nu")
     nu_r_dot = _velocity(d, group, "nu_r_dot", "its rate", "nu_dot")
 
-    error = group.inverse(group.embed(g_r)) * group.embed(g)
-    g_e = d.let("g_e", group.store(error), "1", "error, g_r^-1 g", "eq. (velErr)")
-    to_body = group.Ad(group.inverse(group.embed(g_e)))
-    to_body = _matrix(d, "to_body", to_body, "Ad of g_e^-1: reference to body frame")
-    unit = group.units[0]
-    eta = d.let("eta", to_body * nu_r, unit, "reference velocity in the body frame", "eq. (velErr)")
+    error = group.error(d.let, g_r, g)
+    g_e = d.let("g_e", error, "1", "error, g_r^-1 g", "eq. (velErr)")
+    to_body = group.puller(d.let, g_e)
+    unit = group.unit
+    in_body = to_body("eta", nu_r)
+    eta = d.let("eta", in_body, unit, "reference velocity in the body frame", "eq. (velErr)")
     nu_e = d.let("nu_e", nu - eta, unit, "velocity error", "eq. (velErr)")
-    eta_rate = to_body * nu_r_dot - group.ad(nu_e) * eta
-    eta_dot = d.let("eta_dot", eta_rate, ACCELERATION, "exact rate of eta")
+    eta_rate = to_body("eta_dot", nu_r_dot) - group.ad(nu_e) * eta
+    eta_dot = d.let("eta_dot", eta_rate, group.acceleration_unit, "exact rate of eta")
     nu_u, nu_u_dot, clearance = law.apply(d, group, g_e, nu_e)
     drive = d.let("drive", rate_gain * nu_u, unit, "lambda nu_u")
     s = d.let("s", nu_e + drive, unit, "sliding variable", "eq. (SurfaceErr)")
     asked = eta_dot - rate_gain * nu_u_dot - reach_gain * s
-    wanted = d.let("wanted", asked, ACCELERATION, "acceleration asked for")
+    wanted = d.let("wanted", asked, group.acceleration_unit, "acceleration asked for")
     turning = d.let("turning", drive - eta, unit, "lambda nu_u - eta")
     return _finish(d, system, nu, turning, wanted, s, nu_u, nu_u_dot, clearance)
 
@@ -48,11 +48,11 @@ def reaching(group: Group, law: KinematicLaw, pattern: tuple[bool, ...]) -> Deri
     system, rate_gain, reach_gain = _parameters(d, group, pattern)
     g, nu = _state(d, group)
     nu_u, nu_u_dot, clearance = law.apply(d, group, g, nu)
-    unit = group.units[0]
+    unit = group.unit
     drive = d.let("drive", rate_gain * nu_u, unit, "lambda nu_u")
     s = d.let("s", nu + drive, unit, "sliding variable", "eq. (sldS)")
     asked = -rate_gain * nu_u_dot - reach_gain * s
-    wanted = d.let("wanted", asked, ACCELERATION, "acceleration asked for")
+    wanted = d.let("wanted", asked, group.acceleration_unit, "acceleration asked for")
     return _finish(d, system, nu, drive, wanted, s, nu_u, nu_u_dot, clearance)
 
 
@@ -68,15 +68,15 @@ def _finish(
     clearance: Expr,
 ) -> Derivation:
     """force = coad(turning) I nu + I wanted, and the outputs every controller has."""
-    n, unit = system.dim, system.group.units[0]
-    momentum = d.let("momentum", system.flat(nu), "N m s", "I nu")
+    n, unit, force_unit = system.dim, system.group.unit, system.group.force_unit
+    momentum = d.let("momentum", system.flat(nu), system.momentum_unit, "I nu")
     force = system.group.coad(turning) * momentum + system.flat(wanted)
-    force = d.let("force", force, FORCE, "control force, I f_u", d.source)
+    force = d.let("force", force, force_unit, "control force, I f_u", d.source)
     for name, value, of, doc in (
-        ("force", force, FORCE, "control force"),
+        ("force", force, force_unit, "control force"),
         ("s", s, unit, "sliding variable"),
-        ("nu_u", nu_u, "rad", "kinematic law"),
-        ("nu_u_dot", nu_u_dot, "rad/s", "its exact rate"),
+        ("nu_u", nu_u, system.group.log_unit, "kinematic law"),
+        ("nu_u_dot", nu_u_dot, unit, "its exact rate"),
     ):
         d.give(Quantity(name, n, of, doc, place=f"command.{name}"), value)
     near = "distance from the cut locus of the law"
@@ -95,7 +95,7 @@ def _parameters(
 
 def _state(d: Derivation, group: Group) -> tuple[Matrix, Matrix]:
     g = _configuration(d, group, "g", "configuration", "state")
-    nu = Quantity("nu", group.dim, group.units[0], "body velocity", place="state.nu")
+    nu = Quantity("nu", group.dim, group.unit, "body velocity", place="state.nu")
     return g, d.take(nu)
 
 
@@ -106,10 +106,6 @@ def _configuration(d: Derivation, group: Group, name: str, doc: str, holder: str
 
 
 def _velocity(d: Derivation, group: Group, name: str, doc: str, member: str) -> Matrix:
-    unit = ACCELERATION if member == "nu_dot" else group.units[0]
+    unit = group.acceleration_unit if member == "nu_dot" else group.unit
     return d.take(Quantity(name, group.dim, unit, doc, place=f"reference.{member}"))
 
-
-def _matrix(d: Derivation, name: str, value: Matrix, doc: str) -> Matrix:
-    """A matrix-valued step, row by row."""
-    return d.let(name, Matrix(list(value)), "1", doc).reshape(*value.shape)

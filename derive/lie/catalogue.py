@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from sympy import ImmutableMatrix, Matrix, eye
 
-from derive.lie import cover
+from derive.lie import chart, cover
+from derive.lie.family import product, vector_space, with_translations
 from derive.lie.group import Group
 
 
@@ -32,10 +33,11 @@ def _rotation_of(g: Matrix) -> Matrix:
 
 
 def _orthonormal(stored: Matrix) -> Matrix:
-    """R^T R - I, upper triangle, and det R - 1: seven numbers that vanish on SO(3) alone."""
-    R = stored.reshape(3, 3)
-    gram = R.T * R - eye(3)
-    return Matrix([*(gram[i, j] for i in range(3) for j in range(i, 3)), R.det() - 1])
+    """R^T R - I, upper triangle, and det R - 1: numbers that vanish on rotations alone."""
+    d = 2 if len(stored) == 4 else 3
+    R = stored.reshape(d, d)
+    gram = R.T * R - eye(d)
+    return Matrix([*(gram[i, j] for i in range(d) for j in range(i, d)), R.det() - 1])
 
 
 SO3 = Group(
@@ -47,11 +49,12 @@ SO3 = Group(
     store=lambda rotation: Matrix(9, 1, list(rotation)),
     inverse=lambda rotation: rotation.T,
     residual=_orthonormal,
-    cover=cover.of_rotation,
-    short_Ad=lambda rotation: rotation,
     storage="rotation matrix, row by row",
     shape=(3, 3),
+    cover=cover.of_rotation,
+    chart=chart.of_rotation_matrix,
     is_rotation=True,
+    short_Ad=lambda rotation: rotation,
 )
 
 S3 = Group(
@@ -63,12 +66,45 @@ S3 = Group(
     store=lambda quaternion: quaternion[:, 0],
     inverse=lambda quaternion: quaternion.T,
     residual=lambda stored: Matrix([stored.dot(stored) - 1]),
-    cover=cover.of_quaternion,
-    short_Ad=_rotation_of,
     storage="unit quaternion, Hamilton, scalar first",
     shape=(4,),
+    cover=cover.of_quaternion,
+    chart=chart.of_unit_quaternion,
     is_rotation=True,
+    has_pole=True,
+    short_Ad=_rotation_of,
 )
 
-GROUPS: dict[str, Group] = {group.name: group for group in (SO3, S3)}
-"""Every group by the name a vehicle file uses."""
+SO2 = Group(
+    name="SO2",
+    basis=(_turn(2, 0, 1),),
+    units=("rad/s",),
+    identity=tuple(eye(2)),
+    embed=lambda stored: stored.reshape(2, 2),
+    store=lambda rotation: Matrix(4, 1, list(rotation)),
+    inverse=lambda rotation: rotation.T,
+    residual=_orthonormal,
+    storage="rotation matrix, row by row",
+    shape=(2, 2),
+    chart=lambda let, stored: chart.of_plane(let, stored.reshape(2, 2)),
+    short_Ad=lambda rotation: eye(1),
+    short_puller=lambda let, g: lambda name, x: x,
+)
+
+SE2 = with_translations(SO2, "SE2", 1, chart.of_plane)
+SE3 = with_translations(SO3, "SE3", 1, chart.of_space)
+SE23 = with_translations(SO3, "SE23", 2, chart.of_space)
+
+GROUPS: dict[str, Group] = {
+    group.name: group
+    for group in (SO2, SO3, S3, SE2, SE3, SE23, *(vector_space(n) for n in range(1, 7)))
+}
+"""Every group by the name a vehicle file uses; products of them are written `SO3 x R3`."""
+
+
+def named(name: str) -> Group:
+    """The group of that name, a product of catalogue groups included; KeyError when unknown."""
+    first, *others = (GROUPS[factor.strip()] for factor in name.split(" x "))
+    for other in others:
+        first = product(first, other)
+    return first

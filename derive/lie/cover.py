@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Matrix, Piecewise, pi, sqrt
+from sympy import Expr, Matrix, Piecewise, pi, sqrt
 
 from derive.lie.kernel import SMALL, TINY, H, K
 
@@ -24,10 +24,15 @@ MARKLEY = "polar factor of Markley and Bar-Itzhack"
 
 @dataclass(frozen=True)
 class Cover:
-    """The unit quaternion of an error, scalar w = cos(angle/2) and vector v (3, 1)."""
+    """The unit quaternion of an error, scalar w = cos(angle/2) and vector v (3, 1).
+
+    k, h: the kernel functions of w, as steps
+    """
 
     w: sympy.Symbol
     v: Matrix
+    k: Expr
+    h: Expr
 
     def rate(self, let: Let, nu: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
         """Rates along q' = q (0, nu) / 2 with body velocity nu (3, 1) in rad/s."""
@@ -35,6 +40,13 @@ class Cover:
         w_dot = let("w_dot", -v.dot(nu) / 2, unit, "rate of w, -v.nu_e/2")
         v_dot = let("v_dot", (w * nu + v.cross(nu)) / 2, unit, "rate of v, (w nu_e + v x nu_e)/2")
         return {w: w_dot, **dict(zip(v, v_dot, strict=True))}
+
+
+    def turning(self, let: Let, nu: Matrix) -> Matrix:
+        """Rate of the rotation vector 2 k v, nu + k v x nu + h v x (v x nu), (3, 1)."""
+        turn = let("turn", self.v.cross(nu), "rad/s", "v x nu_e")
+        bend = let("bend", self.v.cross(turn), "rad/s", "v x (v x nu_e)")
+        return nu + self.k * turn + self.h * bend
 
 
 def choose(*cases: tuple[Matrix, Any]) -> Matrix:
@@ -46,12 +58,15 @@ def choose(*cases: tuple[Matrix, Any]) -> Matrix:
     )
 
 
-def of_rotation(let: Let, stored: Matrix) -> Cover:
+def of_rotation(
+    let: Let, stored: Matrix, kernel: Callable[[Let, Expr], tuple[Expr, Expr]] | None = None
+) -> Cover:
     """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
 
     B = 4 p p^T for a rotation, p = (v, w). The column of the largest diagonal entry, multiplied
     once more by B, is p up to a factor in [4, 16]: one power step damps what is not orthonormal.
     The scalar comes last, so that sums end with their largest term at small angles.
+    kernel writes the kernel functions of w; left out, k by polynomial and h divided.
     At angle pi the column chosen makes the largest |v_i| positive, the first index wins.
     """
     B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
@@ -75,8 +90,7 @@ def of_rotation(let: Let, stored: Matrix) -> Cover:
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
     w = let("w", power[3] * scale, "1", "cos of half the error angle")
     v = let("v", power[:3, :] * scale, "1", "sin of half the error angle times its axis")
-    _half(let, w)
-    return Cover(w, v)
+    return Cover(w, v, *(kernel or _half)(let, w))
 
 
 def of_quaternion(let: Let, stored: Matrix) -> Cover:
@@ -85,17 +99,16 @@ def of_quaternion(let: Let, stored: Matrix) -> Cover:
     scale = let("scale", 1 / norm, "1", "to unit length")
     w = let("w", stored[0] * scale, "1", "cos of half the error angle")
     v = let("v", stored[1:, :] * scale, "1", "sin of half the error angle times its axis")
-    _full(let, w, v)
-    return Cover(w, v)
+    return Cover(w, v, *_full(let, w, v))
 
 
-def _half(let: Let, w: sympy.Expr) -> None:
+def _half(let: Let, w: Expr) -> tuple[Expr, Expr]:
     """Kernel for w in [0, 1]: k by its polynomial, h by the identity s^2 h = 1 - w k."""
     k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
-    _divided(let, (1 - w) * (1 + w), w, k)
+    return k, _divided(let, (1 - w) * (1 + w), w, k)
 
 
-def _full(let: Let, w: sympy.Expr, v: Matrix) -> None:
+def _full(let: Let, w: Expr, v: Matrix) -> tuple[Expr, Expr]:
     """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w).
 
     At -i there is no axis, and property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
@@ -105,13 +118,14 @@ def _full(let: Let, w: sympy.Expr, v: Matrix) -> None:
     far = pi / (s + TINY) - near
     value = Piecewise((near, w >= 0), (far, s > SMALL), (sympy.S.Zero, True), evaluate=False)
     k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
-    _divided(let, v.dot(v), w, k)
+    return k, _divided(let, v.dot(v), w, k)
 
 
-def _divided(let: Let, square: sympy.Expr, w: sympy.Expr, k: sympy.Expr) -> None:
+def _divided(let: Let, square: Expr, w: Expr, k: Expr) -> Expr:
     """h from s^2: where s is small the quotient is rough, and so little that none sees it."""
     quotient = (1 - w * k) / (square + TINY)
-    let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
+    h: Expr = let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
+    return h
 
 
 def _quadruple(R: Matrix) -> Matrix:

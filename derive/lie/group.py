@@ -13,7 +13,11 @@ from functools import cached_property
 import sympy
 from sympy import ImmutableMatrix, Matrix
 
+from derive.lie.chart import Chart
 from derive.lie.cover import Cover, Let
+
+Pull = Callable[[str, Matrix], Matrix]
+"""(name, x) -> Ad of g^-1 on x (n, 1)."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +32,13 @@ class Group:
     store:    element (m, m) -> k stored numbers (k, 1)
     inverse:  element -> element
     residual: stored numbers -> expressions that all vanish on the group, and only there
-    cover:    writes the steps that lead from stored numbers to the unit quaternion
     storage:  the stored numbers in words
     shape:    their shape in numpy
+    cover:    writes the steps from stored numbers to the unit quaternion, if it has one
+    chart:    writes the steps from stored numbers to the logarithm, if it has a closed form
     is_rotation: its velocities are angular rates of a body in space
-    short_Ad: optional shorter formula for Ad, held to the definition by a test
+    has_pole: the rate of its logarithm has no bound near the cut
+    short_…:  optional shorter formulas, each held to its definition by a test
     """
 
     name: str
@@ -43,16 +49,41 @@ class Group:
     store: Callable[[Matrix], Matrix]
     inverse: Callable[[Matrix], Matrix]
     residual: Callable[[Matrix], Matrix]
-    cover: Callable[[Let, Matrix], Cover]
     storage: str
     shape: tuple[int, ...]
+    cover: Callable[[Let, Matrix], Cover] | None = None
+    chart: Callable[[Let, Matrix], Chart] | None = None
     is_rotation: bool = False
+    has_pole: bool = False
     short_Ad: Callable[[Matrix], Matrix] | None = None
+    short_error: Callable[[Let, Matrix, Matrix], Matrix] | None = None
+    short_puller: Callable[[Let, Matrix], Pull] | None = None
 
     @property
     def dim(self) -> int:
         """n, the dimension of the algebra."""
         return len(self.basis)
+
+    @property
+    def unit(self) -> str:
+        """Units of a velocity, each once."""
+        return ", ".join(dict.fromkeys(self.units))
+
+    @property
+    def acceleration_unit(self) -> str:
+        """Units of the rate of a velocity."""
+        return ", ".join(dict.fromkeys(f"{unit}^2" for unit in self.units))
+
+    @property
+    def log_unit(self) -> str:
+        """Units of a logarithm."""
+        return ", ".join(dict.fromkeys(unit.removesuffix("/s") for unit in self.units))
+
+    @property
+    def force_unit(self) -> str:
+        """Units of a force: what power is, over a velocity."""
+        names = {"rad/s": "N m", "m/s": "N"}
+        return ", ".join(dict.fromkeys(names.get(unit, f"W/({unit})") for unit in self.units))
 
     @cached_property
     def _left_inverse(self) -> Matrix:
@@ -95,6 +126,20 @@ class Group:
         if self.short_Ad:
             return self.short_Ad(g)
         return self.long_Ad(g)
+
+    def error(self, let: Let, g_r: Matrix, g: Matrix) -> Matrix:
+        """Stored numbers (k, 1) of g_r^-1 g, from stored numbers."""
+        if self.short_error:
+            return self.short_error(let, g_r, g)
+        return self.store(self.inverse(self.embed(g_r)) * self.embed(g))
+
+    def puller(self, let: Let, g: Matrix) -> Pull:
+        """(name, x) -> Ad of g^-1 on x (n, 1), for stored g; its steps are named after `name`."""
+        if self.short_puller:
+            return self.short_puller(let, g)
+        back = self.Ad(self.inverse(self.embed(g)))
+        entries = let("to_body", Matrix(list(back)), "1", "Ad of g_e^-1: reference to body frame")
+        return lambda _, x: entries.reshape(*back.shape) * x
 
     def long_Ad(self, g: Matrix) -> Matrix:
         """Ad_g by its definition, column by column."""
