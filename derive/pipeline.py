@@ -74,7 +74,7 @@ def derived(vehicle: Vehicle) -> Printed:
         "dim": group.dim,
         "stored": len(group.identity),
         "element_shape": list(group.shape),
-        "is_pole": law.is_pole(group),
+        "is_pole": law.is_pole,
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
     }
     data = package(vehicle.name, parts.main, parts.public, parts.inner, described)

@@ -24,10 +24,14 @@ class Routines:
 
 
 def routines(
-    group: Group, law: KinematicLaw, controller: str, pattern: tuple[bool, ...]
+    group: Group,
+    law: KinematicLaw,
+    controller: str,
+    pattern: tuple[bool, ...],
+    options: tuple[str, ...] = (),
 ) -> Routines:
     """Derive everything a vehicle of this group, law, controller and zero pattern needs."""
-    main, *others = (write(group, law, pattern) for write in WRITERS[controller])
+    main, *others = (write(group, law, pattern, options) for write in WRITERS[controller])
     bare = tuple(d.without("clearance") for d in others)
     inner = (residual(group), definiteness(group, pattern))
-    return Routines(main, (*bare, plant(group, pattern)), inner)
+    return Routines(main, (*bare, plant(group, pattern, options)), inner)

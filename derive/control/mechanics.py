@@ -28,11 +28,6 @@ class MechanicalSystem:
         """n, the dimension of the group."""
         return self.group.dim
 
-    @property
-    def momentum_unit(self) -> str:
-        """Units of I nu."""
-        return ", ".join(f"{unit} s" for unit in self.group.force_unit.split(", "))
-
     def flat(self, x: Matrix) -> Matrix:
         """I x: velocity (n, 1) to momentum (n, 1)."""
         return self.inertia * x
@@ -55,7 +50,9 @@ class MechanicalSystem:
         lower, pivot = sympy.eye(n), sympy.zeros(n, 1)
         for j in range(n):
             left = sum((lower[j, k] ** 2 * pivot[k] for k in range(j)), sympy.S.Zero)
-            pivot[j] = d.let(f"pivot_{j}", self.inertia[j, j] - left, "kg m^2", "pivot of I")
+            pivot[j] = d.let(
+                f"pivot_{j}", self.inertia[j, j] - left, self.group.inertia_unit, "pivot of I"
+            )
             for i in range(j + 1, n):
                 left = sum((lower[i, k] * lower[j, k] * pivot[k] for k in range(j)), sympy.S.Zero)
                 value = (self.inertia[i, j] - left) / pivot[j]
@@ -69,10 +66,12 @@ class MechanicalSystem:
         x = list(a)
         for i in range(n):
             left = sum((lower[i, k] * x[k] for k in range(i)), sympy.S.Zero)
-            x[i] = d.let(f"forward_{i}", x[i] - left, self.group.force_unit, "forward substitution")
+            unit, doc = self.group.force_unit, "forward substitution"
+            x[i] = d.let(f"forward_{i}", x[i] - left, unit, doc)
         for i in reversed(range(n)):
             left = sum((lower[k, i] * x[k] for k in range(i + 1, n)), sympy.S.Zero)
-            x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, self.group.acceleration_unit, "back substitution")
+            unit, doc = self.group.acceleration_unit, "back substitution"
+            x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, unit, doc)
         return Matrix(x)
 
 
@@ -92,19 +91,64 @@ def take_system(d: Derivation, group: Group, pattern: tuple[bool, ...]) -> Mecha
     """Declare the inertia as an input of d and make the system of it."""
     size = len(pattern)
     doc = "inertia, upper triangle, row by row"
-    inertia = d.take(Quantity("inertia", size, "kg m^2", doc, place="params.inertia"))
+    unit = group.inertia_unit
+    inertia = d.take(Quantity("inertia", size, unit, doc, place="params.inertia"))
     return MechanicalSystem(group, symmetric(inertia, pattern))
 
 
-def plant(group: Group, pattern: tuple[bool, ...]) -> Derivation:
-    """Euler-Poincare: I nu' = coad(nu) I nu + force; eq. (EulerP)."""
+@dataclass(frozen=True)
+class Extras:
+    """What a vehicle may know besides g and nu: zero where its file does not ask for it.
+
+    momentum: internal, of wheels, (n, 1), added to I nu; external: known force, (n, 1)
+    """
+
+    momentum: Matrix
+    external: Matrix
+
+
+OPTIONS = ("external", "momentum")
+"""Names of the extras in a vehicle file."""
+
+
+def take_extras(d: Derivation, group: Group, options: tuple[str, ...]) -> Extras:
+    """Declare as inputs of d the extras asked for."""
+    zero = sympy.zeros(group.dim, 1)
+    units = {"momentum": group.momentum_unit, "external": group.force_unit}
+    docs = {"momentum": "internal momentum, of wheels", "external": "known external force"}
+    taken = {
+        name: d.take(Quantity(name, group.dim, unit, docs[name], place=f"state.{name}"))
+        if name in options
+        else zero
+        for name, unit in units.items()
+    }
+    return Extras(**taken)
+
+
+def let_momentum(d: Derivation, system: MechanicalSystem, nu: Matrix, extras: Extras) -> Matrix:
+    """Step of the whole momentum, I nu, and that of the wheels where there are any."""
+    unit = system.group.momentum_unit
+    if any(extras.momentum):
+        value = system.flat(nu) + extras.momentum
+        return d.let("whole_momentum", value, unit, "I nu and the internal momentum")
+    return d.let("momentum", system.flat(nu), unit, "I nu")
+
+
+def plant(group: Group, pattern: tuple[bool, ...], options: tuple[str, ...] = ()) -> Derivation:
+    """Euler-Poincare: I nu' = coad(nu) I nu + force; eq. (EulerP).
+
+    With internal momentum h, force is also what the wheels are driven with: h' = -force as far
+    as it comes from them, and I nu' = coad(nu) (I nu + h) + external + force.
+    """
     d = Derivation("plant", "acceleration under a force, Euler-Poincare", "eq. (EulerP)")
     n = group.dim
     system = take_system(d, group, pattern)
     nu = d.take(Quantity("nu", n, group.unit, "body velocity", place="state.nu"))
+    extras = take_extras(d, group, options)
     force = d.take(Quantity("force", n, group.force_unit, "applied force", place="force"))
-    momentum = d.let("momentum", system.flat(nu), system.momentum_unit, "I nu")
-    total = d.let("total", group.coad(nu) * momentum + force, group.force_unit, "coad(nu) I nu + force")
+    momentum = let_momentum(d, system, nu, extras)
+    total = group.coad(nu) * momentum + force + extras.external
+    total = d.let("total", total, group.force_unit, "coad(nu) I nu + force")
     nu_dot = system.solve(d, total)
     output = Quantity("nu_dot", n, group.acceleration_unit, "body acceleration", place="nu_dot")
     d.give(output, nu_dot)
@@ -116,7 +160,7 @@ def definiteness(group: Group, pattern: tuple[bool, ...]) -> Derivation:
     d = Derivation("definiteness", "pivots of the inertia: all positive for a valid one", "")
     system = take_system(d, group, pattern)
     _, pivot = system.pivots(d)
-    output = Quantity("pivot", group.dim, "kg m^2", "pivots of I", place="pivot")
+    output = Quantity("pivot", group.dim, group.inertia_unit, "pivots of I", place="pivot")
     d.give(output, pivot)
     return d.pruned()
 

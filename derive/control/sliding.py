@@ -9,56 +9,69 @@ from typing import Any
 
 from sympy import Expr, Matrix
 
-from derive.control.kinematic import KinematicLaw
-from derive.control.mechanics import MechanicalSystem, take_system
+from derive.control.kinematic import KinematicLaw, apply
+from derive.control.mechanics import (
+    Extras,
+    MechanicalSystem,
+    let_momentum,
+    take_extras,
+    take_system,
+)
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
 
 
-def tracking(group: Group, law: KinematicLaw, pattern: tuple[bool, ...]) -> Derivation:
+def tracking(
+    group: Group, law: KinematicLaw, pattern: tuple[bool, ...], options: tuple[str, ...] = ()
+) -> Derivation:
     """Force that drives (g, nu) to the reference (g_r, nu_r); eq. (TckCtrl)."""
     d = Derivation("tracking", "force that drives (g, nu) to (g_r, nu_r)", "eq. (TckCtrl)")
     system, rate_gain, reach_gain = _parameters(d, group, pattern)
     g, nu = _state(d, group)
+    extras = take_extras(d, group, options)
     g_r = _configuration(d, group, "g_r", "reference configuration", "reference")
     nu_r = _velocity(d, group, "nu_r", "reference velocity, reference body frame", "nu")
     nu_r_dot = _velocity(d, group, "nu_r_dot", "its rate", "nu_dot")
 
-    error = group.error(d.let, g_r, g)
-    g_e = d.let("g_e", error, "1", "error, g_r^-1 g", "eq. (velErr)")
-    to_body = group.puller(d.let, g_e)
+    g_e = group.error(d.let, g_r, g)
+    g_e = d.let("g_e", g_e, "1", "error, g_r^-1 g", "eq. (velErr)")
+    pull = group.pull(d.let, g_e)
     unit = group.unit
-    in_body = to_body("eta", nu_r)
-    eta = d.let("eta", in_body, unit, "reference velocity in the body frame", "eq. (velErr)")
+    eta = pull("eta", nu_r)
+    eta = d.let("eta", eta, unit, "reference velocity in the body frame", "eq. (velErr)")
     nu_e = d.let("nu_e", nu - eta, unit, "velocity error", "eq. (velErr)")
-    eta_rate = to_body("eta_dot", nu_r_dot) - group.ad(nu_e) * eta
+    eta_rate = pull("eta_dot", nu_r_dot) - group.ad(nu_e) * eta
     eta_dot = d.let("eta_dot", eta_rate, group.acceleration_unit, "exact rate of eta")
-    nu_u, nu_u_dot, clearance = law.apply(d, group, g_e, nu_e)
+    nu_u, nu_u_dot, clearance = apply(law, d, group, g_e, nu_e)
     drive = d.let("drive", rate_gain * nu_u, unit, "lambda nu_u")
     s = d.let("s", nu_e + drive, unit, "sliding variable", "eq. (SurfaceErr)")
     asked = eta_dot - rate_gain * nu_u_dot - reach_gain * s
     wanted = d.let("wanted", asked, group.acceleration_unit, "acceleration asked for")
     turning = d.let("turning", drive - eta, unit, "lambda nu_u - eta")
-    return _finish(d, system, nu, turning, wanted, s, nu_u, nu_u_dot, clearance)
+    return _finish(d, system, extras, nu, turning, wanted, s, nu_u, nu_u_dot, clearance)
 
 
-def reaching(group: Group, law: KinematicLaw, pattern: tuple[bool, ...]) -> Derivation:
+def reaching(
+    group: Group, law: KinematicLaw, pattern: tuple[bool, ...], options: tuple[str, ...] = ()
+) -> Derivation:
     """Force that drives (g, nu) to the sliding subgroup, and so to rest; eq. (Ctrl2)."""
     d = Derivation("reaching", "force that drives (g, nu) to (e, 0)", "eq. (Ctrl2)")
     system, rate_gain, reach_gain = _parameters(d, group, pattern)
     g, nu = _state(d, group)
-    nu_u, nu_u_dot, clearance = law.apply(d, group, g, nu)
+    extras = take_extras(d, group, options)
+    nu_u, nu_u_dot, clearance = apply(law, d, group, g, nu)
     unit = group.unit
     drive = d.let("drive", rate_gain * nu_u, unit, "lambda nu_u")
     s = d.let("s", nu + drive, unit, "sliding variable", "eq. (sldS)")
     asked = -rate_gain * nu_u_dot - reach_gain * s
     wanted = d.let("wanted", asked, group.acceleration_unit, "acceleration asked for")
-    return _finish(d, system, nu, drive, wanted, s, nu_u, nu_u_dot, clearance)
+    return _finish(d, system, extras, nu, drive, wanted, s, nu_u, nu_u_dot, clearance)
 
 
 def _finish(
     d: Derivation,
     system: MechanicalSystem,
+    extras: Extras,
     nu: Matrix,
     turning: Matrix,
     wanted: Matrix,
@@ -69,8 +82,8 @@ def _finish(
 ) -> Derivation:
     """force = coad(turning) I nu + I wanted, and the outputs every controller has."""
     n, unit, force_unit = system.dim, system.group.unit, system.group.force_unit
-    momentum = d.let("momentum", system.flat(nu), system.momentum_unit, "I nu")
-    force = system.group.coad(turning) * momentum + system.flat(wanted)
+    momentum = let_momentum(d, system, nu, extras)
+    force = system.group.coad(turning) * momentum + system.flat(wanted) - extras.external
     force = d.let("force", force, force_unit, "control force, I f_u", d.source)
     for name, value, of, doc in (
         ("force", force, force_unit, "control force"),
@@ -108,4 +121,3 @@ def _configuration(d: Derivation, group: Group, name: str, doc: str, holder: str
 def _velocity(d: Derivation, group: Group, name: str, doc: str, member: str) -> Matrix:
     unit = group.acceleration_unit if member == "nu_dot" else group.unit
     return d.take(Quantity(name, group.dim, unit, doc, place=f"reference.{member}"))
-

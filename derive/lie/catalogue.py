@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+from functools import cache
+
 from sympy import ImmutableMatrix, Matrix, eye
 
 from derive.lie import chart, cover
-from derive.lie.family import product, vector_space, with_translations
+from derive.lie.family import product, semidirect, vector_space
 from derive.lie.group import Group
 
 
@@ -52,7 +55,7 @@ SO3 = Group(
     storage="rotation matrix, row by row",
     shape=(3, 3),
     cover=cover.of_rotation,
-    chart=chart.of_rotation_matrix,
+    chart=chart.of_space,
     is_rotation=True,
     short_Ad=lambda rotation: rotation,
 )
@@ -69,9 +72,8 @@ S3 = Group(
     storage="unit quaternion, Hamilton, scalar first",
     shape=(4,),
     cover=cover.of_quaternion,
-    chart=chart.of_unit_quaternion,
+    chart=chart.of_sphere,
     is_rotation=True,
-    has_pole=True,
     short_Ad=_rotation_of,
 )
 
@@ -86,25 +88,34 @@ SO2 = Group(
     residual=_orthonormal,
     storage="rotation matrix, row by row",
     shape=(2, 2),
-    chart=lambda let, stored: chart.of_plane(let, stored.reshape(2, 2)),
+    chart=chart.of_plane,
     short_Ad=lambda rotation: eye(1),
-    short_puller=lambda let, g: lambda name, x: x,
+    short_pull=lambda let, g: lambda name, x: x,
 )
 
-SE2 = with_translations(SO2, "SE2", 1, chart.of_plane)
-SE3 = with_translations(SO3, "SE3", 1, chart.of_space)
-SE23 = with_translations(SO3, "SE23", 2, chart.of_space)
+SE2 = semidirect(SO2, "SE2", ("m/s",), chart.of_plane)
+SE3 = semidirect(SO3, "SE3", ("m/s",), chart.of_space)
+SE23 = semidirect(SO3, "SE23", ("m/s^2", "m/s"), chart.of_space)
+"""Extended poses: the columns are velocity and position."""
+
+LARGEST = 24
+"""Largest dimension of a group, of R^n and of a product."""
 
 GROUPS: dict[str, Group] = {
-    group.name: group
-    for group in (SO2, SO3, S3, SE2, SE3, SE23, *(vector_space(n) for n in range(1, 7)))
+    group.name: group for group in (SO2, SO3, S3, SE2, SE3, SE23, vector_space(3))
 }
-"""Every group by the name a vehicle file uses; products of them are written `SO3 x R3`."""
+"""Groups by the name a vehicle file uses; besides, R1 to R24 and products: `SO3 x R3`."""
 
 
+@cache
 def named(name: str) -> Group:
-    """The group of that name, a product of catalogue groups included; KeyError when unknown."""
-    first, *others = (GROUPS[factor.strip()] for factor in name.split(" x "))
-    for other in others:
-        first = product(first, other)
-    return first
+    """A group of the catalogue, R^n, or a product of them; KeyError for an unknown factor."""
+    factors = [_one(factor.strip()) for factor in name.split(" x ")]
+    return factors[0] if len(factors) == 1 else product(*factors)
+
+
+def _one(name: str) -> Group:
+    vectors = re.fullmatch(r"[RT]([1-9]\d?)", name)
+    if vectors and int(vectors[1]) <= LARGEST:
+        return vector_space(int(vectors[1]))
+    return GROUPS[name]

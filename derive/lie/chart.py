@@ -1,136 +1,156 @@
-"""Logarithmic coordinates of an error, as steps: rotations, and translations carried by them.
+"""Logarithmic coordinates of an element, as steps: rotations, and what rotations carry.
 
-With (w, v) the unit quaternion of the rotation and k, h of the kernel, the logarithm of a pose
-with translation p is (2 k v, p - k v x p + h v x (v x p)) in space, and in the plane, where
-v = s along the one axis, (2 k s, k (w p - s J p)). Nothing cancels and nothing divides.
+With u half the angle of its one rotation, w = cos u and s = sin u, and k, h of the kernel, a
+translation p that a rotation M carries has the logarithm
+
+    rho = p - k Y p + h Y Y p,    Y = hat(y), y = (log M)/(2 k), whose eigenvalues are +-i s:
+
+the series x/(1 - e^-x) at x = -log M, reduced by the minimal polynomial x (x^2 + s^2) of Y.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import sympy
-from sympy import Expr, Matrix, Piecewise, sqrt
+from sympy import Expr, Matrix, eye, sqrt
 
-from derive.lie.cover import Cover, Let, choose, of_quaternion, of_rotation
-from derive.lie.kernel import TINY, H, K, M
+from derive.lie.cover import Cover, Let, choose, of_quaternion, of_rotation, polynomials
+from derive.lie.kernel import SMALL, TINY, K
 
-Rates = Callable[[Let, Matrix], dict[sympy.Symbol, Expr]]
+if TYPE_CHECKING:
+    from derive.lie.group import Group
 
 
 @dataclass(frozen=True)
 class Chart:
-    """log(g), (n, 1), with what its exact rate and its guard need.
+    """The logarithm of an element, and what its exact rate is made of.
 
-    rates:     (let, nu) -> rates of the symbols that log is made of, along g' = g hat(nu)
-    clearance: cosine of half the rotation angle: zero where the logarithm jumps; 1 elsewhere
+    log:       coordinates x, (n, 1)
+    scaled:    y = x/(2 k), (n, 1), whose ad_y turns by s; x itself where nothing turns
+    w:         cosine of half the angle; None where nothing turns
+    square:    s^2
+    tangent:   writes vee((g - 1)(g + 1)^-1), (n, 1), if there is a short way to it
     """
 
     log: Matrix
-    rates: Rates
-    clearance: Expr
+    scaled: Matrix
+    w: Expr | None = None
+    square: Expr = sympy.S.Zero
+    tangent: Callable[[Let], Matrix] | None = None
+
+    @property
+    def clearance(self) -> Expr:
+        """Zero where the logarithm jumps, 1 where it never does."""
+        return sympy.S.One if self.w is None else self.w
 
 
-def of_rotation_matrix(let: Let, stored: Matrix) -> Chart:
-    """SO3: the rotation vector."""
-    return _of_cover(let, of_rotation(let, stored), None)
-
-
-def of_unit_quaternion(let: Let, stored: Matrix) -> Chart:
-    """S3: the rotation vector up to 2 pi; its clearance is the sine beyond pi."""
-    cover = of_quaternion(let, stored)
-    far = sqrt(cover.v.dot(cover.v))
-    value = Piecewise((far, cover.w < 0), (sympy.S.One, True), evaluate=False)
-    return _of_cover(let, cover, let("minus_i", value, "1", "distance from -i"))
+Charted = Callable[[Let, Matrix], Chart]
 
 
 def of_vector(let: Let, stored: Matrix) -> Chart:
     """R^n: an element is its own logarithm."""
-    return Chart(stored, lambda _, nu: dict(zip(stored, nu, strict=True)), sympy.S.One)
+    return Chart(stored, stored)
 
 
-def of_plane(let: Let, g: Matrix) -> Chart:
-    """SO2 and SE2: a rotation (2, 2), with a column of translation where g is (3, 3)."""
-    w, s = _half_turn(let, g[0, 0] + g[1, 1], g[1, 0] - g[0, 1])
-    k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
-    let("h", H(w), "1", "-dk/dw", stands_for=H(w))
-    phi = let("phi", 2 * k * s, "rad", "error angle")
-    moves = [g[:2, 2]] if g.rows == 3 else []
-    turned = [let("half_way", w * p - s * _quarter(p), "m", "w p - s J p") for p in moves]
-
-    def rates(let: Let, nu: Matrix) -> dict[sympy.Symbol, Expr]:
-        w_dot = let("w_dot", -s * nu[0] / 2, "1/s", "rate of w")
-        s_dot = let("sine_dot", w * nu[0] / 2, "1/s", "rate of the sine")
-        known = {phi: nu[0], w: w_dot, s: s_dot}
-        for i, p in enumerate(moves):
-            known |= _carried(let, i, g[:2, :2], p, nu[1:, :])
-        return known
-
-    return Chart(Matrix([phi, *(k * x for part in turned for x in part)]), rates, w)
+def of_space(let: Let, stored: Matrix) -> Chart:
+    """SO3 as a carrier: the rotation vector 2 k v."""
+    return _turned(let, of_rotation(let, stored, is_carrier=True))
 
 
-def of_space(let: Let, g: Matrix) -> Chart:
-    """SE3 and SE23: a rotation (3, 3) and one or more columns of translation."""
-    rotation = g[:3, :3]
-    cover = of_rotation(let, Matrix(9, 1, list(rotation)), _polynomials)
-    v, k, h = cover.v, cover.k, cover.h
-    phi = let("phi", 2 * k * v, "rad", "rotation vector of the error")
-    moves = [g[:3, i] for i in range(3, g.cols)]
-    logs = [phi]
-    for i, p in enumerate(moves):
-        swing = let(f"swing_{i}", v.cross(p), "m", "v x p")
-        sway = let(f"sway_{i}", v.cross(swing), "m", "v x (v x p)")
-        logs.append(p - k * swing + h * sway)
-
-    def rates(let: Let, nu: Matrix) -> dict[sympy.Symbol, Expr]:
-        turning = cover.turning(let, nu[:3, :])
-        known = cover.rate(let, nu[:3, :]) | dict(zip(phi, turning, strict=True))
-        for i, p in enumerate(moves):
-            known |= _carried(let, i, rotation, p, nu[3 + 3 * i : 6 + 3 * i, :])
-        return known
-
-    return Chart(Matrix([x for part in logs for x in part]), rates, cover.w)
+def of_sphere(let: Let, stored: Matrix) -> Chart:
+    """S3: the rotation vector 2 k v, up to 2 pi long."""
+    return _turned(let, of_quaternion(let, stored))
 
 
-def of_product(first: Callable[[Let, Matrix], Chart], second: Callable[[Let, Matrix], Chart],
-               split: int, dim: int) -> Callable[[Let, Matrix], Chart]:  # fmt: skip
-    """The chart of a direct product: stored numbers and coordinates concatenated."""
+def of_plane(let: Let, stored: Matrix) -> Chart:
+    """SO2: the angle 2 k s, from -pi to pi."""
+    R = stored.reshape(2, 2)
+    w, s = _half_turn(let, R[0, 0] + R[1, 1], R[1, 0] - R[0, 1])
+    polynomials(let, w)
+    return _turned(let, Cover(w, Matrix([s])))
+
+
+def carried(base: Group, turned: Charted, columns: Sequence[str]) -> Charted:
+    """Chart of the matrices [[M, p …], [0, 1]]; turned charts M, columns are the units of p."""
+    size = base.basis[0].rows
+    whole = size + len(columns)
 
     def chart(let: Let, stored: Matrix) -> Chart:
-        a = first(marked(let, "a"), stored[:split, :])
-        b = second(marked(let, "b"), stored[split:, :])
+        g = stored.reshape(whole, whole)
+        inner = turned(let, base.store(g[:size, :size]))
+        Y = base.hat(inner.scaled)
+        half = let("half", 1 / (2 * K(inner.w)), "1", "1/(2 k)")
+        logs, scaled = [inner.log], [inner.scaled]
+        for i, unit in enumerate(columns):
+            p = g[:size, size + i]
+            swing = let(f"swing_{_label(i, columns)}", Y * p, unit, "Y p")
+            sway = let(f"sway_{_label(i, columns)}", Y * swing, unit, "Y Y p")
+            value = p - K(inner.w) * swing - sympy.diff(K(inner.w), inner.w) * sway
+            rho = let(f"rho_{_label(i, columns)}", value, unit, "p - k Y p + h Y Y p")
+            logs.append(rho)
+            scaled.append(let(f"y_{_label(i, columns)}", half * rho, unit, "rho/(2 k)"))
 
-        def rates(let: Let, nu: Matrix) -> dict[sympy.Symbol, Expr]:
-            return {
-                **a.rates(marked(let, "a"), nu[:dim, :]),
-                **b.rates(marked(let, "b"), nu[dim:, :]),
-            }
+        def tangent(let: Let) -> Matrix:
+            """(M - 1)(M + 1)^-1 and, of each column, (M + 1)^-1 p = (p - hat(c) p)/2."""
+            c = let("c_0", inner.tangent(let), "1", "tan of half the angle times its axis")
+            moves = [g[:size, size + i] for i in range(len(columns))]
+            return Matrix.vstack(c, *((p - base.hat(c) * p) / 2 for p in moves))
 
-        return Chart(Matrix([*a.log, *b.log]), rates, _nearer(let, a.clearance, b.clearance))
+        log, y = Matrix.vstack(*logs), Matrix.vstack(*scaled)
+        return Chart(log, y, inner.w, inner.square, tangent if inner.tangent else None)
 
     return chart
 
 
-def _of_cover(let: Let, cover: Cover, clearance: Expr | None) -> Chart:
-    phi = let("phi", 2 * cover.k * cover.v, "rad", "rotation vector of the error")
+def rebased(charted: Charted, back: Matrix) -> Charted:
+    """The same chart in another basis of the algebra: coordinates x become back x."""
 
-    def rates(let: Let, nu: Matrix) -> dict[sympy.Symbol, Expr]:
-        return dict(zip(phi, cover.turning(let, nu), strict=True))
+    def chart(let: Let, stored: Matrix) -> Chart:
+        inner = charted(let, stored)
+        log, scaled = (
+            let(name, back * value, "1", f"{name} in the basis of the group")
+            for name, value in (("log", inner.log), ("y", inner.scaled))
+        )
+        return Chart(log, scaled, inner.w, inner.square)
 
-    return Chart(phi, rates, cover.w if clearance is None else clearance)
+    return chart
 
 
-def _carried(let: Let, i: int, rotation: Matrix, p: Matrix, nu: Matrix) -> dict[Expr, Expr]:
-    """Rate of a translation, p' = R nu."""
-    p_dot = let(f"p_dot_{i}", rotation * nu, "m/s", "rate of the translation, R nu_e")
-    return dict(zip(p, p_dot, strict=True))
+def of_unipotent(group_of: Callable[[Matrix], Matrix], vee: Callable[[Matrix], Matrix]) -> Charted:
+    """Groups in which (g - 1)^m = 0: log g = (g - 1) - (g - 1)^2/2 + …, which ends."""
+
+    def chart(let: Let, stored: Matrix) -> Chart:
+        off = group_of(stored)
+        off = off - eye(off.rows)
+        power, total = off, off
+        for order in range(2, off.rows):
+            power = (power * off).expand()
+            total = total - (-1) ** order * power / order
+        log = let("log", vee(total), "1", "logarithm, a finite series")
+        return Chart(log, log)
+
+    return chart
+
+
+def _turned(let: Let, cover: Cover) -> Chart:
+    w, v = cover.w, cover.v
+    phi = let("phi", 2 * K(w) * v, "rad", "rotation vector of the error")
+    return Chart(phi, v, w, v.dot(v), lambda let: v / (w + SMALL))
+
+
+def _label(i: int, columns: Sequence[str]) -> str:
+    """A letter for each column where there are several: swing_p, …"""
+    return "p" if len(columns) == 1 else f"p{i}"
 
 
 def _half_turn(let: Let, c: Expr, s: Expr) -> tuple[Expr, Expr]:
     """cos >= 0 and sin of half the angle, from 2 cos and 2 sin of it, up to a common factor.
 
-    2 n p p^T = [[n + c, s], [s, n - c]] with n = |(c, s)|: a column that cannot vanish.
+    2 n q q^T = [[n + c, s], [s, n - c]], n = |(c, s)| and q = (cos, sin) of the half: the one of
+    its columns that cannot vanish. At pi the sine is 1.
     """
     c, s = let("twice", Matrix([c, s]), "1", "2 cos and 2 sin of the angle")
     n = let("norm", sqrt(c * c + s * s + TINY), "1", "their length")
@@ -147,29 +167,3 @@ def _half_turn(let: Let, c: Expr, s: Expr) -> tuple[Expr, Expr]:
     scale = let("scale", 1 / sqrt(column.dot(column) + TINY), "1", "to unit length")
     w = let("w", column[0] * scale, "1", "cos of half the error angle")
     return w, let("sine", column[1] * scale, "1", "sin of half the error angle")
-
-
-def _polynomials(let: Let, w: Expr) -> tuple[Expr, Expr]:
-    """k, h and m by their polynomials: a divided h would lose its digits in the rate of rho."""
-    k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
-    h = let("h", H(w), "1", "-dk/dw", stands_for=H(w))
-    let("m", M(w), "1", "-dh/dw", stands_for=M(w))
-    return k, h
-
-
-def _quarter(p: Matrix) -> Matrix:
-    """J p: p turned by a right angle."""
-    return Matrix([-p[1], p[0]])
-
-
-def marked(let: Let, letter: str) -> Let:
-    """The same let, its names marked as those of one factor."""
-    return lambda name, *rest, **more: let(f"{name}_{letter}", *rest, **more)
-
-
-def _nearer(let: Let, a: Expr, b: Expr) -> Expr:
-    """The smaller clearance of two."""
-    if sympy.S.One in (a, b):
-        return b if a == sympy.S.One else a
-    value = Piecewise((a, a <= b), (b, True), evaluate=False)
-    return let("distance", value, "1", "the smaller clearance")

@@ -24,29 +24,17 @@ MARKLEY = "polar factor of Markley and Bar-Itzhack"
 
 @dataclass(frozen=True)
 class Cover:
-    """The unit quaternion of an error, scalar w = cos(angle/2) and vector v (3, 1).
-
-    k, h: the kernel functions of w, as steps
-    """
+    """The unit quaternion of an error, scalar w = cos(angle/2) and vector v (3, 1)."""
 
     w: sympy.Symbol
     v: Matrix
-    k: Expr
-    h: Expr
 
-    def rate(self, let: Let, nu: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
+    def rate(self, let: Let, nu: Matrix) -> dict[sympy.Symbol, Expr]:
         """Rates along q' = q (0, nu) / 2 with body velocity nu (3, 1) in rad/s."""
         w, v, unit = self.w, self.v, "1/s"
         w_dot = let("w_dot", -v.dot(nu) / 2, unit, "rate of w, -v.nu_e/2")
         v_dot = let("v_dot", (w * nu + v.cross(nu)) / 2, unit, "rate of v, (w nu_e + v x nu_e)/2")
         return {w: w_dot, **dict(zip(v, v_dot, strict=True))}
-
-
-    def turning(self, let: Let, nu: Matrix) -> Matrix:
-        """Rate of the rotation vector 2 k v, nu + k v x nu + h v x (v x nu), (3, 1)."""
-        turn = let("turn", self.v.cross(nu), "rad/s", "v x nu_e")
-        bend = let("bend", self.v.cross(turn), "rad/s", "v x (v x nu_e)")
-        return nu + self.k * turn + self.h * bend
 
 
 def choose(*cases: tuple[Matrix, Any]) -> Matrix:
@@ -58,16 +46,14 @@ def choose(*cases: tuple[Matrix, Any]) -> Matrix:
     )
 
 
-def of_rotation(
-    let: Let, stored: Matrix, kernel: Callable[[Let, Expr], tuple[Expr, Expr]] | None = None
-) -> Cover:
+def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
     """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
 
     B = 4 p p^T for a rotation, p = (v, w). The column of the largest diagonal entry, multiplied
     once more by B, is p up to a factor in [4, 16]: one power step damps what is not orthonormal.
     The scalar comes last, so that sums end with their largest term at small angles.
-    kernel writes the kernel functions of w; left out, k by polynomial and h divided.
     At angle pi the column chosen makes the largest |v_i| positive, the first index wins.
+    A carrier turns translations too, for which a divided h is too rough.
     """
     B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
     B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
@@ -90,7 +76,8 @@ def of_rotation(
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
     w = let("w", power[3] * scale, "1", "cos of half the error angle")
     v = let("v", power[:3, :] * scale, "1", "sin of half the error angle times its axis")
-    return Cover(w, v, *(kernel or _half)(let, w))
+    (polynomials if is_carrier else _half)(let, w)
+    return Cover(w, v)
 
 
 def of_quaternion(let: Let, stored: Matrix) -> Cover:
@@ -99,16 +86,23 @@ def of_quaternion(let: Let, stored: Matrix) -> Cover:
     scale = let("scale", 1 / norm, "1", "to unit length")
     w = let("w", stored[0] * scale, "1", "cos of half the error angle")
     v = let("v", stored[1:, :] * scale, "1", "sin of half the error angle times its axis")
-    return Cover(w, v, *_full(let, w, v))
+    _full(let, w, v)
+    return Cover(w, v)
 
 
-def _half(let: Let, w: Expr) -> tuple[Expr, Expr]:
+def polynomials(let: Let, w: Expr) -> None:
+    """Kernel for w in [0, 1]: k and h by their polynomials."""
+    let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
+    let("h", H(w), "1", "-dk/dw", stands_for=H(w))
+
+
+def _half(let: Let, w: Expr) -> None:
     """Kernel for w in [0, 1]: k by its polynomial, h by the identity s^2 h = 1 - w k."""
     k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
-    return k, _divided(let, (1 - w) * (1 + w), w, k)
+    _divided(let, (1 - w) * (1 + w), w, k)
 
 
-def _full(let: Let, w: Expr, v: Matrix) -> tuple[Expr, Expr]:
+def _full(let: Let, w: Expr, v: Matrix) -> None:
     """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w).
 
     At -i there is no axis, and property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
@@ -118,14 +112,13 @@ def _full(let: Let, w: Expr, v: Matrix) -> tuple[Expr, Expr]:
     far = pi / (s + TINY) - near
     value = Piecewise((near, w >= 0), (far, s > SMALL), (sympy.S.Zero, True), evaluate=False)
     k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
-    return k, _divided(let, v.dot(v), w, k)
+    _divided(let, v.dot(v), w, k)
 
 
-def _divided(let: Let, square: Expr, w: Expr, k: Expr) -> Expr:
+def _divided(let: Let, square: Expr, w: Expr, k: Expr) -> None:
     """h from s^2: where s is small the quotient is rough, and so little that none sees it."""
     quotient = (1 - w * k) / (square + TINY)
-    h: Expr = let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
-    return h
+    let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
 
 
 def _quadruple(R: Matrix) -> Matrix:

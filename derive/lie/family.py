@@ -1,16 +1,21 @@
-"""Families of groups: additive ones, rotations with translations, direct products."""
+"""Families of groups: additive ones, rotations that carry translations, direct products."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy
 from sympy import ImmutableMatrix, Matrix, eye, zeros
 
 from derive.lie import chart
+from derive.lie.chart import Charted
 from derive.lie.cover import Let
-from derive.lie.group import Group, Pull
+from derive.lie.group import Group, Pull, marked
+
+MARKS = "abcdefgh"
+"""Suffix of the steps of each factor of a product."""
 
 
 def vector_space(n: int) -> Group:
@@ -28,121 +33,162 @@ def vector_space(n: int) -> Group:
         store=lambda g: g[:n, n],
         inverse=lambda g: embed(-g[:n, n]),
         residual=lambda stored: Matrix([]),
-        storage=f"{n} numbers",
+        storage=f"{n} numbers" if n > 1 else "one number",
         shape=(n,),
         chart=chart.of_vector,
         short_Ad=lambda g: eye(n),
         short_error=lambda let, g_r, g: g - g_r,
-        short_puller=lambda let, g: lambda name, x: x,
+        short_pull=lambda let, g: lambda name, x: x,
     )
 
 
-def with_translations(rotations: Group, name: str, count: int, log: Callable[..., Any]) -> Group:
-    """Rotations (d, d) with `count` columns that they turn: SE2, SE3, SE23."""
-    d = rotations.basis[0].rows
-    size = d + count
+def semidirect(base: Group, name: str, units: Sequence[str], turned: Charted | None) -> Group:
+    """Matrices [[M, p …], [0, 1]]: M of base, one column of translation for each unit.
 
-    def split(stored: Matrix) -> tuple[Matrix, list[Matrix]]:
-        g = stored.reshape(size, size)
-        return g[:d, :d], [g[:d, d + i] for i in range(count)]
+    units: of the velocity of each column; turned: chart of M as a carrier, None for no logarithm
+    """
+    size, columns = base.basis[0].rows, range(len(units))
+    whole = size + len(units)
 
-    def joined(rotation: Matrix, columns: list[Matrix]) -> Matrix:
-        top = Matrix.hstack(rotation, *columns)
-        return Matrix.vstack(top, Matrix.hstack(zeros(count, d), eye(count)))
+    def split(g: Matrix) -> tuple[Matrix, list[Matrix]]:
+        return g[:size, :size], [g[:size, size + i] for i in columns]
+
+    def embed(stored: Matrix) -> Matrix:
+        return _joined(*split(stored.reshape(whole, whole)))
 
     def inverse(g: Matrix) -> Matrix:
-        back = g[:d, :d].T
-        return joined(back, [-back * g[:d, d + i] for i in range(count)])
+        M, moves = split(g)
+        back = base.inverse(M)
+        return _joined(back, [-back * p for p in moves])
 
     def error(let: Let, g_r: Matrix, g: Matrix) -> Matrix:
-        (R_r, p_r), (R, p) = split(g_r), split(g)
-        gaps = [let(f"gap_{i}", a - b, "m", "p - p_r") for i, (a, b) in enumerate(zip(p, p_r, strict=True))]
-        return Matrix(list(joined(R_r.T * R, [R_r.T * gap for gap in gaps])))
+        (M_r, starts), (M, ends) = split(embed(g_r)), split(embed(g))
+        gaps = [
+            let(f"gap_{i}", p - p_r, unit.removesuffix("/s"), "g less g_r, translation")
+            for i, p, p_r, unit in zip(columns, ends, starts, units, strict=True)
+        ]
+        back = base.inverse(M_r)
+        return Matrix(list(_joined(back * M, [back * gap for gap in gaps])))
 
-    def puller(let: Let, g: Matrix) -> Pull:
-        """Turned back, with the lever arm of each translation: R^T omega, R^T (v - p x omega)."""
-        R, columns = split(g)
+    def pull(let: Let, stored: Matrix) -> Pull:
+        """M^-1 turned back, and what a translation p is moved by: M^-1 (v + hat(omega) p)."""
+        M, moves = split(embed(stored))
+        back, turn_back = base.inverse(M), base.Ad(base.inverse(M))
 
-        def pull(name: str, x: Matrix) -> Matrix:
-            turn = x[: rotations.dim, :]
-            parts = [R.T * turn] if d == 3 else [turn]
-            for i, p in enumerate(columns):
-                moved = x[rotations.dim + d * i : rotations.dim + d * (i + 1), :]
-                lever = p.cross(turn) if d == 3 else Matrix([p[1], -p[0]]) * turn[0]
-                arm = let(f"{name}_arm_{i}", moved - lever, "m/s", "velocity at the tip of p")
-                parts.append(R.T * arm)
-            return Matrix([entry for part in parts for entry in part])
+        def pulled(name: str, x: Matrix) -> Matrix:
+            turn, parts = x[: base.dim, :], [turn_back * x[: base.dim, :]]
+            for i, p, unit in zip(columns, moves, units, strict=True):
+                start = base.dim + size * i
+                moved = x[start : start + size, :] + base.hat(turn) * p
+                arm = let(f"{name}_arm_{i}", moved, unit, "velocity at the tip of p")
+                parts.append(back * arm)
+            return Matrix.vstack(*parts)
 
-        return pull
+        return pulled
 
     def residual(stored: Matrix) -> Matrix:
-        g = stored.reshape(size, size)
-        last = g[d:, :] - Matrix.hstack(zeros(count, d), eye(count))
-        return Matrix([*rotations.residual(Matrix(list(g[:d, :d]))), *last])
+        g = stored.reshape(whole, whole)
+        last = g[size:, :] - eye(whole)[size:, :]
+        return Matrix([*base.residual(base.store(g[:size, :size])), *last])
 
-    turns = [sympy.diag(e, zeros(count, count)) for e in rotations.basis]
-    shifts = [_unit(size, i, d + column) for column in range(count) for i in range(d)]
+    turns = [sympy.diag(e, zeros(len(units))) for e in base.basis]
+    shifts = [_unit(whole, i, size + column) for column in columns for i in range(size)]
+    lengths = [unit.removesuffix("/s") for unit in units]
     return Group(
         name=name,
         basis=tuple(ImmutableMatrix(e) for e in (*turns, *shifts)),
-        units=(*rotations.units, *("m/s",) * (d * count)),
-        identity=tuple(eye(size)),
-        embed=lambda stored: stored.reshape(size, size),
-        store=lambda g: Matrix(size * size, 1, list(g)),
+        units=(*base.units, *(unit for unit in units for _ in range(size))),
+        identity=tuple(eye(whole)),
+        embed=embed,
+        store=lambda g: Matrix(list(g)),
         inverse=inverse,
         residual=residual,
-        storage=f"matrix ({size}, {size}), row by row",
-        shape=(size, size),
-        chart=lambda let, stored: log(let, stored.reshape(size, size)),
+        storage=f"matrix of {whole} rows, row by row",
+        shape=(whole, whole),
+        chart=chart.carried(base, turned, lengths) if turned else None,
         short_error=error,
-        short_puller=puller,
+        short_pull=pull,
     )
 
 
-def product(a: Group, b: Group) -> Group:
+def product(*factors: Group) -> Group:
     """Direct product: stored numbers and coordinates concatenated, nothing mixed."""
-    k, m, n = len(a.identity), a.basis[0].rows, a.dim
+    sizes = [one.basis[0].rows for one in factors]
+    starts = [sum(sizes[:i]) for i in range(len(sizes))]
 
-    def embed(stored: Matrix) -> Matrix:
-        return sympy.diag(a.embed(stored[:k, :]), b.embed(stored[k:, :]))
+    def blocks(method: str, g: Matrix) -> list[Any]:
+        """A method of each factor on its block of the matrix g."""
+        rows = zip(factors, starts, sizes, strict=True)
+        return [getattr(one, method)(g[a : a + m, a : a + m]) for one, a, m in rows]
 
-    def blocks(g: Matrix) -> tuple[Matrix, Matrix]:
-        return g[:m, :m], g[m:, m:]
-
-    def both(g: Matrix, left: Callable[..., Any], right: Callable[..., Any]) -> tuple[Any, Any]:
-        first, second = blocks(g)
-        return left(first), right(second)
+    def stored(method: str, numbers: Matrix) -> list[Any]:
+        """A method of each factor on its stored numbers."""
+        rows = zip(factors, whole.split_element(numbers), strict=True)
+        return [getattr(one, method)(piece) for one, piece in rows]
 
     def error(let: Let, g_r: Matrix, g: Matrix) -> Matrix:
-        one = a.error(chart.marked(let, "a"), g_r[:k, :], g[:k, :])
-        return Matrix([*one, *b.error(chart.marked(let, "b"), g_r[k:, :], g[k:, :])])
+        pieces = whole.split_element(g_r), whole.split_element(g)
+        rows = zip(factors, MARKS, *pieces, strict=False)
+        return Matrix.vstack(*(one.error(marked(let, mark), a, b) for one, mark, a, b in rows))
 
-    def puller(let: Let, g: Matrix) -> Pull:
-        one = a.puller(chart.marked(let, "a"), g[:k, :])
-        other = b.puller(chart.marked(let, "b"), g[k:, :])
-        return lambda name, x: Matrix([*one(name, x[:n, :]), *other(name, x[n:, :])])
+    def pull(let: Let, g: Matrix) -> Pull:
+        rows = zip(factors, MARKS, whole.split_element(g), strict=False)
+        pulls = [one.pull(marked(let, mark), piece) for one, mark, piece in rows]
+        return lambda name, x: Matrix.vstack(
+            *(one(name, piece) for one, piece in zip(pulls, whole.split_velocity(x), strict=True))
+        )
 
-    zero_a, zero_b = zeros(m, m), zeros(b.basis[0].rows, b.basis[0].rows)
-    left = [sympy.diag(e, zero_b) for e in a.basis]
-    right = [sympy.diag(zero_a, e) for e in b.basis]
-    log = chart.of_product(a.chart, b.chart, k, n) if a.chart and b.chart else None
-    return Group(
-        name=f"{a.name} x {b.name}",
-        basis=tuple(ImmutableMatrix(e) for e in (*left, *right)),
-        units=(*a.units, *b.units),
-        identity=(*a.identity, *b.identity),
-        embed=embed,
-        store=lambda g: Matrix([*a.store(blocks(g)[0]), *b.store(blocks(g)[1])]),
-        inverse=lambda g: sympy.diag(*both(g, a.inverse, b.inverse)),
-        residual=lambda s: Matrix([*a.residual(s[:k, :]), *b.residual(s[k:, :])]),
-        storage=f"{a.storage}; then {b.storage}",
-        shape=(k + len(b.identity),),
-        chart=log,
-        has_pole=a.has_pole or b.has_pole,
-        short_Ad=lambda g: sympy.diag(*both(g, a.Ad, b.Ad)),
+    def placed(i: int, e: Matrix) -> ImmutableMatrix:
+        return ImmutableMatrix(
+            sympy.diag(*(e if i == j else zeros(m) for j, m in enumerate(sizes)))
+        )
+
+    whole = Group(
+        name=" x ".join(one.name for one in factors),
+        basis=tuple(placed(i, e) for i, one in enumerate(factors) for e in one.basis),
+        units=tuple(unit for one in factors for unit in one.units),
+        identity=tuple(x for one in factors for x in one.identity),
+        embed=lambda numbers: sympy.diag(*stored("embed", numbers)),
+        store=lambda g: Matrix.vstack(*blocks("store", g)),
+        inverse=lambda g: sympy.diag(*blocks("inverse", g)),
+        residual=lambda numbers: Matrix([x for part in stored("residual", numbers) for x in part]),
+        storage="; then ".join(one.storage for one in factors),
+        shape=(sum(one.size for one in factors),),
+        factors=factors,
+        short_Ad=lambda g: sympy.diag(*blocks("Ad", g)),
         short_error=error,
-        short_puller=puller,
+        short_pull=pull,
     )
+    return whole
+
+
+def rebased(group: Group, name: str, basis: Matrix, units: tuple[str, ...]) -> Group:
+    """The same elements, stored alike, in another basis of the algebra.
+
+    basis: (n, n), exact: column j holds the new E_j in the old coordinates. Raises ValueError
+    where it is singular.
+    """
+    if basis.det() == 0:
+        raise ValueError(f"{name}: the new basis matrices are linearly dependent")
+    made = [group.hat(basis[:, j]) for j in range(group.dim)]
+    return replace(
+        group,
+        name=name,
+        basis=tuple(ImmutableMatrix(e) for e in made),
+        units=units,
+        cover=None,
+        chart=chart.rebased(group.chart, basis.inv()) if group.chart else None,
+        factors=(),
+        short_Ad=None,
+        short_pull=None,
+        is_rotation=False,
+    )
+
+
+def _joined(M: Matrix, columns: Sequence[Matrix]) -> Matrix:
+    """[[M, p …], [0, 1]]."""
+    below = Matrix.hstack(zeros(len(columns), M.rows), eye(len(columns)))
+    return Matrix.vstack(Matrix.hstack(M, *columns), below)
 
 
 def _unit(size: int, row: int, column: int) -> Matrix:

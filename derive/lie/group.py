@@ -6,18 +6,18 @@ Velocities are body velocities (left invariance): g' = g hat(nu).
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import sympy
 from sympy import ImmutableMatrix, Matrix
 
-from derive.lie.chart import Chart
+from derive.lie.chart import Charted
 from derive.lie.cover import Cover, Let
 
 Pull = Callable[[str, Matrix], Matrix]
-"""(name, x) -> Ad of g^-1 on x (n, 1)."""
+"""(name, x) -> Ad of g^-1 on x (n, 1); its steps are named after `name`."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +36,8 @@ class Group:
     shape:    their shape in numpy
     cover:    writes the steps from stored numbers to the unit quaternion, if it has one
     chart:    writes the steps from stored numbers to the logarithm, if it has a closed form
+    factors:  of a direct product, in order; empty for any other group
     is_rotation: its velocities are angular rates of a body in space
-    has_pole: the rate of its logarithm has no bound near the cut
     short_…:  optional shorter formulas, each held to its definition by a test
     """
 
@@ -52,12 +52,12 @@ class Group:
     storage: str
     shape: tuple[int, ...]
     cover: Callable[[Let, Matrix], Cover] | None = None
-    chart: Callable[[Let, Matrix], Chart] | None = None
+    chart: Charted | None = None
+    factors: tuple[Group, ...] = ()
     is_rotation: bool = False
-    has_pole: bool = False
     short_Ad: Callable[[Matrix], Matrix] | None = None
     short_error: Callable[[Let, Matrix, Matrix], Matrix] | None = None
-    short_puller: Callable[[Let, Matrix], Pull] | None = None
+    short_pull: Callable[[Let, Matrix], Pull] | None = None
 
     @property
     def dim(self) -> int:
@@ -65,25 +65,51 @@ class Group:
         return len(self.basis)
 
     @property
+    def size(self) -> int:
+        """k, how many numbers are stored."""
+        return len(self.identity)
+
+    @property
     def unit(self) -> str:
         """Units of a velocity, each once."""
-        return ", ".join(dict.fromkeys(self.units))
+        return _listed(self.units)
 
     @property
     def acceleration_unit(self) -> str:
         """Units of the rate of a velocity."""
-        return ", ".join(dict.fromkeys(f"{unit}^2" for unit in self.units))
+        return _listed(_per_second(unit) for unit in self.units)
 
     @property
     def log_unit(self) -> str:
         """Units of a logarithm."""
-        return ", ".join(dict.fromkeys(unit.removesuffix("/s") for unit in self.units))
+        return _listed(_times_second(unit) for unit in self.units)
 
     @property
     def force_unit(self) -> str:
-        """Units of a force: what power is, over a velocity."""
+        """Units of a force: power over velocity."""
         names = {"rad/s": "N m", "m/s": "N"}
-        return ", ".join(dict.fromkeys(names.get(unit, f"W/({unit})") for unit in self.units))
+        return _listed(names.get(unit, f"W/({unit})") for unit in self.units)
+
+    @property
+    def momentum_unit(self) -> str:
+        """Units of a momentum: force times time."""
+        return _listed(f"{unit} s" for unit in self.force_unit.split(", "))
+
+    @property
+    def inertia_unit(self) -> str:
+        """Units of an inertia, of its diagonal first."""
+        turns, moves = "rad/s" in self.units, "m/s" in self.units
+        if set(self.units) <= {"rad/s", "m/s"}:
+            return ", ".join(["kg m^2"] * turns + ["kg m"] * (turns and moves) + ["kg"] * moves)
+        return "force over acceleration"
+
+    def split_element(self, stored: Matrix) -> list[Matrix]:
+        """Stored numbers of each factor of a product."""
+        return _cut(stored, [factor.size for factor in self.factors])
+
+    def split_velocity(self, x: Matrix) -> list[Matrix]:
+        """Algebra coordinates of each factor of a product."""
+        return _cut(x, [factor.dim for factor in self.factors])
 
     @cached_property
     def _left_inverse(self) -> Matrix:
@@ -127,21 +153,48 @@ class Group:
             return self.short_Ad(g)
         return self.long_Ad(g)
 
-    def error(self, let: Let, g_r: Matrix, g: Matrix) -> Matrix:
-        """Stored numbers (k, 1) of g_r^-1 g, from stored numbers."""
-        if self.short_error:
-            return self.short_error(let, g_r, g)
-        return self.store(self.inverse(self.embed(g_r)) * self.embed(g))
-
-    def puller(self, let: Let, g: Matrix) -> Pull:
-        """(name, x) -> Ad of g^-1 on x (n, 1), for stored g; its steps are named after `name`."""
-        if self.short_puller:
-            return self.short_puller(let, g)
-        back = self.Ad(self.inverse(self.embed(g)))
-        entries = let("to_body", Matrix(list(back)), "1", "Ad of g_e^-1: reference to body frame")
-        return lambda _, x: entries.reshape(*back.shape) * x
-
     def long_Ad(self, g: Matrix) -> Matrix:
         """Ad_g by its definition, column by column."""
         back = self.inverse(g)
         return Matrix.hstack(*(self.vee(g * e * back) for e in self.basis))
+
+    def error(self, let: Let, g_r: Matrix, g: Matrix) -> Matrix:
+        """Stored numbers (k, 1) of g_r^-1 g, from stored numbers."""
+        if self.short_error:
+            return self.short_error(let, g_r, g)
+        return self.long_error(g_r, g)
+
+    def long_error(self, g_r: Matrix, g: Matrix) -> Matrix:
+        """Stored numbers of g_r^-1 g by its definition."""
+        return self.store(self.inverse(self.embed(g_r)) * self.embed(g))
+
+    def pull(self, let: Let, g: Matrix) -> Pull:
+        """Ad of g^-1, for stored g, as a function of velocities."""
+        if self.short_pull:
+            return self.short_pull(let, g)
+        back = self.Ad(self.inverse(self.embed(g)))
+        entries = let("to_body", Matrix(list(back)), "1", "Ad of g_e^-1: reference to body frame")
+        return lambda _, x: entries.reshape(*back.shape) * x
+
+
+def marked(let: Let, mark: str) -> Let:
+    """The same let, its names marked as those of one factor of a product."""
+    return lambda name, *rest, **more: let(f"{name}_{mark}", *rest, **more)
+
+
+def _cut(rows: Matrix, sizes: Sequence[int]) -> list[Matrix]:
+    """Consecutive rows of these sizes."""
+    starts = [sum(sizes[:i]) for i in range(len(sizes))]
+    return [rows[a : a + n, :] for a, n in zip(starts, sizes, strict=True)]
+
+
+def _listed(units: Iterable[str]) -> str:
+    return ", ".join(dict.fromkeys(units))
+
+
+def _per_second(unit: str) -> str:
+    return f"{unit}^2" if unit.endswith("/s") else f"{unit}/s"
+
+
+def _times_second(unit: str) -> str:
+    return unit.removesuffix("/s") if unit.endswith("/s") else f"({unit}) s"
