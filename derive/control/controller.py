@@ -33,5 +33,6 @@ def routines(
     """Derive everything a vehicle of this group, law, controller and zero pattern needs."""
     main, *others = (write(group, law, pattern, options) for write in WRITERS[controller])
     bare = tuple(d.without("clearance") for d in others)
-    inner = (residual(group), definiteness(group, pattern))
+    limits, definite = residual(group), definiteness(group, pattern)
+    inner = (limits, definite) if limits.outputs else (definite,)
     return Routines(main, (*bare, plant(group, pattern, options)), inner)

@@ -166,11 +166,15 @@ def definiteness(group: Group, pattern: tuple[bool, ...]) -> Derivation:
 
 
 def residual(group: Group) -> Derivation:
-    """How far stored numbers are from the group: every number vanishes on it, and only there."""
+    """How far stored numbers are from the group: every number vanishes on it, and only there.
+
+    Without an output where all numbers are elements.
+    """
     d = Derivation("residual", "distance of stored numbers from the group", "")
-    size = len(group.identity)
-    g = d.take(Quantity("g", size, "1", "configuration", place="g"))
+    g = d.take(Quantity("g", group.size, "1", "configuration", place="g"))
     value = group.residual(g)
+    if not value:
+        return d
     off = d.let("off", value, "1", "deviation from the group")
     d.give(Quantity("residual", len(value), "1", "vanishes on the group", place="residual"), off)
     return d.pruned()

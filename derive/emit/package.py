@@ -58,7 +58,7 @@ def _one(
         **facts,
         "main": printed[0],
         "routines": printed,
-        "residual": next(one for one in printed if one["name"] == "residual"),
+        "residual": next((one for one in printed if one["name"] == "residual"), None),
         "kernels": kernels(derivations, scalar),
         "structs": _structs(printed[0]),
         "statuses": [list(status) for status in STATUSES],

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from derive.lie.group import Group
 
 
+Tangent = Callable[[Let], Matrix]
+
+
 @dataclass(frozen=True)
 class Chart:
     """The logarithm of an element, and what its exact rate is made of.
@@ -39,7 +42,7 @@ class Chart:
     scaled: Matrix
     w: Expr | None = None
     square: Expr = sympy.S.Zero
-    tangent: Callable[[Let], Matrix] | None = None
+    tangent: Tangent | None = None
 
     @property
     def clearance(self) -> Expr:
@@ -93,16 +96,22 @@ def carried(base: Group, turned: Charted, columns: Sequence[str]) -> Charted:
             logs.append(rho)
             scaled.append(let(f"y_{_label(i, columns)}", half * rho, unit, "rho/(2 k)"))
 
-        def tangent(let: Let) -> Matrix:
-            """(M - 1)(M + 1)^-1 and, of each column, (M + 1)^-1 p = (p - hat(c) p)/2."""
-            c = let("c_0", inner.tangent(let), "1", "tan of half the angle times its axis")
-            moves = [g[:size, size + i] for i in range(len(columns))]
-            return Matrix.vstack(c, *((p - base.hat(c) * p) / 2 for p in moves))
-
+        moves = [g[:size, size + i] for i in range(len(columns))]
+        tangent = _carried_tangent(base, inner.tangent, moves) if inner.tangent else None
         log, y = Matrix.vstack(*logs), Matrix.vstack(*scaled)
-        return Chart(log, y, inner.w, inner.square, tangent if inner.tangent else None)
+        return Chart(log, y, inner.w, inner.square, tangent)
 
     return chart
+
+
+def _carried_tangent(base: Group, inner: Tangent, moves: Sequence[Matrix]) -> Tangent:
+    """(M - 1)(M + 1)^-1 and, of each column, (M + 1)^-1 p = (p - hat(c) p)/2."""
+
+    def tangent(let: Let) -> Matrix:
+        c = let("tangent", inner(let), "1", "tan of half the angle times its axis")
+        return Matrix.vstack(c, *((p - base.hat(c) * p) / 2 for p in moves))
+
+    return tangent
 
 
 def rebased(charted: Charted, back: Matrix) -> Charted:

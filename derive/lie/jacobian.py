@@ -84,13 +84,12 @@ def log_rate(let: Let, group: Group, chart: Chart, nu: Matrix) -> Matrix:
     if kind.turns == 1:
         return value
     let("m", M(w), "1", "-dh/dw", stands_for=M(w))
-    double = let("double", H(w) ** 2 - K(w) * M(w) / 2, "1", "h^2 - k m/2, of the double root")
+    twofold = let("twofold", H(w) ** 2 - K(w) * M(w) / 2, "1", "h^2 - k m/2, of the double root")
     square = let("square", chart.square, "1", "s^2")
-    twist = ad_y * bend + square * turn
-    for row in kind.still:
-        twist[row] = sympy.S.Zero
-    twist = let("twist", twist, group.unit, "(Y^2 + s^2) Y nu_e")
-    return value + double * (ad_y * twist)
+    moved = list(ad_y * bend + square * turn)
+    rows = [sympy.S.Zero if i in kind.still else x for i, x in enumerate(moved)]
+    twist = let("twist", Matrix(rows), group.unit, "(Y^2 + s^2) Y nu_e")
+    return value + twofold * (ad_y * twist)
 
 
 def _finite(let: Let, group: Group, ad_x: Matrix, zeros: int, nu: Matrix) -> Matrix:

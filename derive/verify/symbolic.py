@@ -13,7 +13,7 @@ import mpmath
 import sympy
 from sympy import Matrix, Rational
 
-from derive.control.kinematic import LAWS
+from derive.control.kinematic import LAWS, apply
 from derive.lie.catalogue import GROUPS
 from derive.lie.cover import Cover
 from derive.lie.kernel import SMALL, TINY, exact
@@ -57,7 +57,7 @@ def _both(name: str, law: str) -> Derivation:
     d = Derivation("both", "closed form and chain rule", "")
     g = d.take(Quantity("g", len(group.identity), "1", "configuration"))
     nu = d.take(Quantity("nu", group.dim, "rad/s", "velocity"))
-    _, closed, _ = LAWS[name, law].apply(d, group, g, nu)
+    _, closed, _ = apply(LAWS[name, law], d, group, g, nu)
     w, v = d.step("w").symbols[0], Matrix(d.step("v").symbols)
     formula = Matrix(d.step("nu_u").formula)
     chained = rate(d, formula, Cover(w, v).rate(d.let, nu))

@@ -13,7 +13,7 @@ from functools import cache
 import sympy
 from sympy import QQ, Matrix, ring
 
-from derive.control.kinematic import LAWS, KinematicLaw
+from derive.control.kinematic import LAWS, KinematicLaw, apply
 from derive.lie.group import Group
 from derive.lie.kernel import H, K
 from derive.routine.derivation import Derivation, Quantity
@@ -59,7 +59,7 @@ def _formulas(group: Group, law: KinematicLaw) -> tuple[Matrix, Matrix, dict[str
     d = Derivation("log", "", "")
     g = d.take(Quantity("g", len(group.identity), "1", "configuration"))
     nu_e = d.take(Quantity("nu_e", group.dim, "rad/s", "velocity"))
-    log, rate, _ = law.apply(d, group, g, nu_e)
+    log, rate, _ = apply(law, d, group, g, nu_e)
     w, v = d.step("w").symbols[0], d.step("v").symbols
     known: dict[sympy.Expr, sympy.Expr] = {}
     for step in d.steps:
