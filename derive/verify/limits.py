@@ -21,6 +21,11 @@ class Limit:
 _TABLE = (
     Limit("log", 3, "eps", "law against truth, relative to its length"),
     Limit("rate", 4, "eps", "exact rate of the law against truth, relative to its length"),
+    Limit("log_carried", 4, "eps", "law on SE2, SE3, SE23 and their products, block by block"),
+    Limit("rate_carried", 4, "eps", "its exact rate, on |v| + |p||omega|"),
+    Limit("own", 450, "eps", "law and rate on a user's group, relative to their terms: 1e-13"),
+    Limit("own_force", 1e-13, "relative", "force, s and plant in double on a user's group"),
+    Limit("exp", 450, "eps", "exp(log g) against g, block by block: 1e-13 relative in double"),
     Limit("beyond_pi", 20, "eps", "law and rate on S3 beyond a rotation by pi"),
     Limit("force_f64", 2e-14, "relative", "whole force in double against truth"),
     Limit("force_f32", 1e-5, "relative", "whole force in float against truth"),
