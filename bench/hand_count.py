@@ -1,7 +1,7 @@
 """What `tracking` costs by hand on SE3 and SE2, term by term: the yardstick of the emitted code.
 
 The same task as emitted: full inertia, moving reference, all four outputs, right at every angle
-up to pi and against drift. Counted are + - * / and square roots; the polynomials of k, h and m are not,
+up to pi and against drift. Counted are + - * / and square roots, not the polynomials of k, h, m,
 nor signs, comparisons and choices. Every product of a term is shared with no other.
 """
 
