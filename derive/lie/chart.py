@@ -111,7 +111,7 @@ def _shift(let: Let, base: Group, inner: Chart, p: Matrix, mark: str, unit: str)
     """p - k Y p + h Y Y p; in the plane, where Y Y p = -s^2 p, that is k (w p - Y p)."""
     k, h = K(inner.w), H(inner.w)
     Y = base.hat(inner.scaled)
-    is_plane = Y * Y == -inner.square * eye(p.rows)
+    is_plane = -inner.square * eye(p.rows) == Y * Y
     if is_plane:
         turned = let(f"turned_{mark}", inner.w * p - Y * p, unit, "p turned back by half the angle")
         return k * turned
