@@ -175,8 +175,11 @@ def test_the_law_stands_in_either_place(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["SO3", "R3", "T2", "R20"])
 def test_the_name_of_another_group_is_refused(tmp_path: Path, name: str) -> None:
+    path = written(tmp_path, "", table=SL2.replace("SL2", name))
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("[1, 0, 0]", "[9, 0, 0]"), encoding="utf-8")  # no body on SO3
     with pytest.raises(InputError) as caught:
-        resolve(own(tmp_path, SL2.replace("SL2", name)))
+        resolve(load(path))
     assert caught.value.key == "group.name"
     assert f'"my_{name}"' in caught.value.remedy
 

@@ -41,6 +41,7 @@ class Cover:
         v_dot = let("v_dot", (w * nu + v.cross(nu)) / 2, unit, "rate of v, (w nu_e + v x nu_e)/2")
         return {w: w_dot, **dict(zip(v, v_dot, strict=True))}
 
+
     def turning(self, let: Let, nu: Matrix) -> Matrix:
         """Rate of the rotation vector 2 k v, nu + k v x nu + h v x (v x nu), (3, 1)."""
         turn = let("turn", self.v.cross(nu), "rad/s", "v x nu_e")
