@@ -10,7 +10,7 @@ from derive.vehicle_group import VECTORS, OwnGroup, made
 from derive.vehicle_number import LARGEST_DIMENSION
 from derive.vehicle_text import InputError, close, described, quoted
 
-OR_YOURS = "describe a group of your own in a [group] table with name, basis and law"
+OR_YOURS = "describe the whole group in a [group] table with name, basis and law"
 
 
 @dataclass(frozen=True)
@@ -72,13 +72,12 @@ def _stranger(file: str, group: str, factor: str) -> InputError:
     names = tuple(name for name in GROUPS if not VECTORS.fullmatch(name))
     found, remedy = _told("group", factor, (*names, "R3"))
     product = " x ".join(re.split(r"\s*[xX×*]\s*", group))
+    if group != factor:
+        remedy = remedy.replace("write group =", "write the factor as")
+        found = f"{found} in {quoted(group)}"
+    remedy = f"{remedy}, or {OR_YOURS}"
     if product != group and all(map(_is_known, product.split(" x "))):
         remedy = f'write group = "{product}", with a space on both sides of each x'
-    elif group != factor:
-        remedy = remedy.replace("group =", "the factor as")
-        found = f"{found} in {quoted(group)}"
-    if not close(factor, names):
-        remedy = f"{remedy}, or {OR_YOURS}"
     several = f"R1 to R{LARGEST_DIMENSION}, a product such as SO3 x R3, or a [group] table"
     return InputError(file, "group", f"one of {', '.join(names)}, {several}", found, remedy)
 
