@@ -17,8 +17,8 @@ from derive.emit.drift import Drift, compare
 from derive.emit.literal import nearest
 from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
-from derive.vehicle_check import pivots
-from derive.vehicle_group import group_of
+from derive.vehicle.check import pivots
+from derive.vehicle.group import group_of
 from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:

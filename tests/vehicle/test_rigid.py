@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from derive.vehicle import InputError, Vehicle, load
-from tests.test_vehicle_body import measured, points
+from tests.vehicle.test_body import measured, points
 
 Array = NDArray[np.float64]
 

@@ -7,12 +7,17 @@ from typing import Any
 
 import pytest
 
-from derive import vehicle, vehicle_body, vehicle_check, vehicle_group, vehicle_key, vehicle_number
 from derive.control.table import CONTROLLERS
 from derive.lie import basis
+from derive.vehicle import body as vehicle_body
+from derive.vehicle import check as vehicle_check
+from derive.vehicle import file as vehicle
+from derive.vehicle import group as vehicle_group
+from derive.vehicle import key as vehicle_key
+from derive.vehicle import number as vehicle_number
 
 SCHEMA: dict[str, Any] = json.loads(
-    (Path(__file__).parents[1] / "docs" / "vehicle.schema.json").read_text(encoding="utf-8")
+    (Path(__file__).parents[2] / "docs" / "vehicle.schema.json").read_text(encoding="utf-8")
 )
 KEYS: dict[str, Any] = SCHEMA["properties"]
 

@@ -6,7 +6,7 @@ import sys
 from fractions import Fraction
 from itertools import combinations
 
-from derive.vehicle_text import InputError, quoted, shown
+from derive.vehicle.text import InputError, quoted, shown
 
 Matrix = tuple[tuple[Fraction, ...], ...]
 

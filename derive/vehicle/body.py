@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from derive.vehicle_check import Matrix, check_positive_definite, check_symmetric, check_triangle
-from derive.vehicle_group import OwnGroup
-from derive.vehicle_key import BODY_KEYS, HOMES
-from derive.vehicle_number import (
+from derive.vehicle.check import Matrix, check_positive_definite, check_symmetric, check_triangle
+from derive.vehicle.group import OwnGroup
+from derive.vehicle.key import BODY_KEYS, HOMES
+from derive.vehicle.number import (
     LARGEST_DIMENSION,
     LARGEST_ENTRY,
     MODERATE,
@@ -15,8 +15,8 @@ from derive.vehicle_number import (
     matrix,
     positive,
 )
-from derive.vehicle_rigid import KINDS, Kind, kinds, lever, rigid
-from derive.vehicle_text import InputError, Table, described, shown
+from derive.vehicle.rigid import KINDS, Kind, kinds, lever, rigid
+from derive.vehicle.text import InputError, Table, described, shown
 
 LARGEST_ARM = Fraction(10**4)  # m
 
@@ -53,7 +53,7 @@ def _bodies(top: Table) -> list[object]:
 
 def _bodiless(top: Table, group: str, own: OwnGroup | None) -> InputError:
     """The error for a [body] where none can be; first of all that of a group nobody knows."""
-    from derive.vehicle_lookup import look_up
+    from derive.vehicle.lookup import look_up
 
     look_up(top.file, group, own)
     known = ", ".join(name for name, kind in KINDS.items() if kind.is_body)

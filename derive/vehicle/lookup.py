@@ -6,9 +6,9 @@ Computer algebra is imported here only, and only when something is looked up.
 import re
 from dataclasses import dataclass
 
-from derive.vehicle_group import VECTORS, OwnGroup, made
-from derive.vehicle_number import LARGEST_DIMENSION
-from derive.vehicle_text import InputError, close, described, quoted
+from derive.vehicle.group import VECTORS, OwnGroup, made
+from derive.vehicle.number import LARGEST_DIMENSION
+from derive.vehicle.text import InputError, close, described, quoted
 
 OR_YOURS = "describe the whole group in a [group] table with name, basis and law"
 

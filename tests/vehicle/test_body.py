@@ -8,8 +8,8 @@ import pytest
 from numpy.typing import NDArray
 
 from derive.vehicle import InputError, Vehicle, load
-from derive.vehicle_key import BODY_KEYS
-from derive.vehicle_rigid import KINDS, kinds
+from derive.vehicle.key import BODY_KEYS
+from derive.vehicle.rigid import KINDS, kinds
 
 Array = NDArray[np.float64]
 

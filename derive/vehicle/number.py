@@ -2,8 +2,8 @@
 
 from fractions import Fraction
 
-from derive.vehicle_check import Matrix
-from derive.vehicle_text import Table, described, shown
+from derive.vehicle.check import Matrix
+from derive.vehicle.text import Table, described, shown
 
 SMALLEST = Fraction(1, 10**30)  # below it, a number that is not 0 would vanish in a float
 LARGEST_ENTRY = Fraction(10**9)

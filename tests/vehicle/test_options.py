@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from derive.vehicle import InputError, Vehicle, load
-from derive.vehicle_key import OPTION_KEYS
+from derive.vehicle.key import OPTION_KEYS
 
 
 def with_options(folder: Path, lines: str) -> Vehicle:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from derive.vehicle import InputError
-from tests.test_vehicle_group import SL2, own
+from tests.vehicle.test_group import SL2, own
 
 E = "[[0, 1], [0, 0]]"
 F = "[[0, 0], [1, 0]]"

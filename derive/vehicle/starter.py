@@ -4,7 +4,8 @@ from itertools import cycle, repeat
 from pathlib import Path
 
 from derive.control.table import CONTROLLERS
-from derive.vehicle import (
+from derive.vehicle.check import check_name
+from derive.vehicle.file import (
     DEFAULT_CONTROLLER,
     DEFAULT_LAW,
     SCALARS,
@@ -12,10 +13,9 @@ from derive.vehicle import (
     TARGETS,
     InputError,
 )
-from derive.vehicle_check import check_name
-from derive.vehicle_group import made, normal
-from derive.vehicle_lookup import check_law, laws_on, look_up
-from derive.vehicle_rigid import Kind, kinds
+from derive.vehicle.group import made, normal
+from derive.vehicle.lookup import check_law, laws_on, look_up
+from derive.vehicle.rigid import Kind, kinds
 
 COMMAND = "derive init"  # stands for the file in messages: there is none yet
 

@@ -9,20 +9,20 @@ from fractions import Fraction
 from pathlib import Path
 
 from derive.control.table import CONTROLLERS
-from derive.vehicle_body import assembled, has_added_mass
-from derive.vehicle_check import (
+from derive.vehicle.body import assembled, has_added_mass
+from derive.vehicle.check import (
     Matrix,
     check_name,
     check_positive_definite,
     check_symmetric,
     check_triangle,
 )
-from derive.vehicle_group import OwnGroup, law_of, spelled
-from derive.vehicle_key import EMIT_KEYS, HOMES, OPTION_KEYS, TOP_KEYS
-from derive.vehicle_lookup import Facts, check_law, look_up
-from derive.vehicle_number import matrix, positive, square
-from derive.vehicle_rigid import check_rigid
-from derive.vehicle_text import InputError, Table, described, read
+from derive.vehicle.group import OwnGroup, law_of, spelled
+from derive.vehicle.key import EMIT_KEYS, HOMES, OPTION_KEYS, TOP_KEYS
+from derive.vehicle.lookup import Facts, check_law, look_up
+from derive.vehicle.number import matrix, positive, square
+from derive.vehicle.rigid import check_rigid
+from derive.vehicle.text import InputError, Table, described, read
 
 __all__ = [
     "CONTROLLERS", "Facts", "InputError", "OwnGroup", "Vehicle", "check_facts", "load", "resolve",

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, load
-from derive.vehicle_check import determinant
+from derive.vehicle.check import determinant
 
 BODY = Facts(dim=3, is_rotation=True)
 

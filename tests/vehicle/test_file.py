@@ -9,10 +9,10 @@ from types import SimpleNamespace
 
 import pytest
 
-from derive.starter import starter
 from derive.vehicle import Facts, InputError, check_facts, load, resolve
+from derive.vehicle.starter import starter
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 VEHICLES = sorted((ROOT / "vehicles").glob("*.toml"))
 BODY = Facts(dim=3, is_rotation=True)
 
@@ -69,7 +69,7 @@ def test_pattern_is_the_upper_triangle(tmp_path: Path) -> None:
 def test_loading_imports_nothing_heavy() -> None:
     code = (
         "import sys; from pathlib import Path; from derive.vehicle import load, check_facts, Facts;"
-        "from derive.starter import starter; starter('body', 'SO3');"
+        "from derive.vehicle.starter import starter; starter('body', 'SO3');"
         "vehicles = [load(path) for path in sorted(Path('vehicles').glob('*.toml'))];"
         "[check_facts(vehicle, Facts(len(vehicle.inertia), False)) for vehicle in vehicles];"
         "check_facts(vehicles[0], Facts(3, True));"

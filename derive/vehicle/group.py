@@ -8,13 +8,13 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from derive.lie.basis import BadBasis, Basis, Matrix, check
-from derive.vehicle_key import GROUP_KEYS, HOMES
-from derive.vehicle_number import number
-from derive.vehicle_text import Table, described, quoted
+from derive.vehicle.key import GROUP_KEYS, HOMES
+from derive.vehicle.number import number
+from derive.vehicle.text import Table, described, quoted
 
 if TYPE_CHECKING:
     from derive.lie.group import Group
-    from derive.vehicle import Vehicle
+    from derive.vehicle.file import Vehicle
 
 LARGEST_PART = 10**6  # numerator and denominator of an entry of a basis
 LONGEST_WORD = 48  # characters of a group's name

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import accumulate, pairwise
 
-from derive.vehicle_check import Matrix, check_triangle
-from derive.vehicle_key import BODY_KEYS
-from derive.vehicle_text import InputError, shown
+from derive.vehicle.check import Matrix, check_triangle
+from derive.vehicle.key import BODY_KEYS
+from derive.vehicle.text import InputError, shown
 
 IN_FLUID = (
     "describe the body by mass, center and moments below [body] in place of the inertia; for one "
