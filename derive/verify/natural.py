@@ -66,6 +66,16 @@ class Natural:
             "force": push / LIMITS["cancellation"].figure,
         }
 
+    def terms(self) -> dict[str, Array]:
+        """Of derivatives along the flow, (N, blocks): how far their inputs round."""
+        nu, given = (lengths(self.blocks, x) for x in (self.states.nu, self.states.nu_r_dot))
+        speed, reference = self.speed, self.reference
+        growth = self._swept(given) * self.spread + self._bracket(speed, reference)
+        _, rate_gain, reach_gain = self.vehicle.stored("f64")
+        force = self._flat(growth + (rate_gain + reach_gain) * speed)
+        rate = self._swept((nu + reference) / 2) * self.spread
+        return {"nu_u_dot": rate, "eta_dot": growth, "force": force}
+
     def acceleration(self, force: Array) -> Array:
         """Of nu_dot under a force (N, n): of its terms, where they cancel, (N, blocks)."""
         pushed = lengths(self.blocks, force) + lengths(self.blocks, self.states.external)

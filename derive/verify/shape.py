@@ -77,6 +77,11 @@ class Shape:
         flat = self.basis.reshape(len(self.basis), -1)
         return np.asarray(a.reshape(len(a), -1) @ np.linalg.pinv(flat))
 
+    def holds_one(self) -> bool:
+        """Whether the unit matrix is in the algebra, and so every multiple in the group."""
+        one = np.eye(self.basis.shape[-1])[None]
+        return bool(np.allclose(self.hat(self.vee(one)), one))
+
     def is_fixed(self) -> Array:
         """Stored numbers, (k,), none of which may be changed alone without leaving the group."""
         if self.is_vector or self.is_own:

@@ -36,11 +36,10 @@ def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -
 
 def symbolics(subject: Subject) -> Iterator[Check]:
     """Identities of the kernel, and sympy's chain rule against the emitted closed form."""
-    vehicle, seed = subject.vehicle, subject.seed
-    exact = LIMITS["symbolic"]
+    exact, seed = LIMITS["symbolic"], subject.seed
     kernel = symbolic.kernel_residual(points := 40, seed)
     yield Check("kernel k, h, m: identities", "derivation", kernel, exact, points)
-    rule = symbolic.chain_rule_residual(vehicle.group, vehicle.law, points := 6, seed)
+    rule = symbolic.chain_rule_residual(subject.vehicle, points := 6, seed)
     yield Check("nu_u_dot: chain rule", "derivation", rule, exact, points)
 
 
