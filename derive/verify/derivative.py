@@ -50,7 +50,10 @@ def _compared(
     subject: Subject, states: States, mine: Any, theirs: Any, what: str, limit: str
 ) -> Iterator[Check]:
     """Each rate relative to its length, or to that of its terms where they cancel."""
-    scales = rates.term_scales(subject.vehicle, states)
+    vehicle = subject.vehicle
+    scales = rates.term_scales(vehicle, states)
+    if limit == "differences":
+        scales = rates.step_scales(vehicle, states, np.asarray(mine["nu_u"]))
     for name, expected in theirs.items():
         if name != "eta_dot" or subject.has_reference:
             error = rates.relative(subject.vehicle, mine[name], expected, scales.get(name, 0.0))

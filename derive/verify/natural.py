@@ -53,6 +53,7 @@ class Natural:
         """Of every output, (N, blocks)."""
         law, rate = self._of("nu_u"), np.maximum(self._of("nu_u_dot"), self.rate)
         inertia, rate_gain, reach_gain = self.vehicle.stored("f64")
+        law = np.maximum(law, self.value)
         drive = rate_gain * (law + (self.arm if self.states.nu_r.any() else 0.0))
         s = self.speed + drive
         turning = self.reference
@@ -74,7 +75,18 @@ class Natural:
         _, rate_gain, reach_gain = self.vehicle.stored("f64")
         force = self._flat(growth + (rate_gain + reach_gain) * speed)
         rate = self._swept((nu + reference) / 2) * self.spread
-        return {"nu_u_dot": rate, "eta_dot": growth, "force": force}
+        # What was found at rest is a force, less what the structure constants make of eta and nu.
+        at_rest = np.einsum("ni,ijk,nj->nk", nu, self._structure, reference)
+        return {"nu_u_dot": rate, "eta_dot": np.maximum(growth, at_rest), "force": force}
+
+    def stepped(self) -> dict[str, Array]:
+        """As terms, of differences: their step is an arc of the whole velocity, not of a block."""
+        terms, whole = self.terms(), np.linalg.norm(self.speed, axis=-1, keepdims=True)
+        rate = np.maximum(terms["nu_u_dot"], self._of("nu_u") * (whole - self.speed))
+        return terms | {
+            "nu_u_dot": rate,
+            "eta_dot": np.maximum(terms["eta_dot"], self.reference * whole),
+        }
 
     def acceleration(self, force: Array) -> Array:
         """Of nu_dot under a force (N, n): of its terms, where they cancel, (N, blocks)."""

@@ -99,14 +99,23 @@ def term_scales(vehicle: Plant, states: States) -> dict[str, Array]:
     nu_e = nu - eta rounds at eps (|nu| + |eta|) / 2, eta_dot has |nu_r_dot| + |nu_e| |eta|, and
     the force |I| (|eta_dot| + (lambda + k_s) |nu_e|).
     """
-    eta = body_reference(vehicle, states)
-    still = np.zeros((len(eta), len(space(vehicle.space).shapes)))
-    natural = Natural(vehicle, states, still, {"nu_e": states.nu - eta})
-    return natural.terms()
+    return _natural(vehicle, states, {}).terms()
+
+
+def step_scales(vehicle: Plant, states: States, nu_u: Array) -> dict[str, Array]:
+    """The same for differences, whose step is chosen for the velocity as a whole."""
+    return _natural(vehicle, states, {"nu_u": nu_u}).stepped()
+
+
+def _natural(vehicle: Plant, states: States, outputs: dict[str, Array]) -> Natural:
+    still = np.zeros((len(states.angle), len(space(vehicle.space).shapes)))
+    nu_e = states.nu - body_reference(vehicle, states)
+    return Natural(vehicle, states, still, {"nu_e": nu_e, **outputs})
 
 
 def relative(vehicle: Plant, found: Array, expected: Array, scale: Array | float = 0.0) -> Array:
     """|found - expected| over |expected|, or over a scale where that is larger, (N,)."""
     blocks = blocks_of(vehicle)
-    off = lengths(blocks, found - expected)
-    return np.asarray((off / np.maximum(lengths(blocks, expected), scale)).max(-1))
+    off, size = (lengths(blocks, x) for x in (found - expected, expected))
+    size = np.maximum(size, scale)
+    return np.asarray((off / np.where(size > 0, size, 1.0)).max(-1))
