@@ -68,17 +68,24 @@ class Truth:
     def _one(self, name: str, value: NDArray[Any], branch: dict[str, Pair]) -> Array:
         """The largest relative error of a block, (N,)."""
         high, low = branch[name]
+        blocks = () if name == "clearance" else self.blocks
         with np.errstate(invalid="ignore", over="ignore"):
-            off = self._lengths((value.astype(np.float64) - high) - low, name)
-        given = np.asarray(self.scales.get(name, 0.0))
-        scale = np.maximum(self._lengths(high, name), given[:, None] if given.ndim == 1 else given)
+            off = block_lengths(blocks, (value.astype(np.float64) - high) - low)
+        scale = block_scale(blocks, high, self.scales.get(name, 0.0))
         relative = off / np.where(scale > 0, scale, 1.0)
         return np.where(np.isnan(relative), np.inf, relative).max(-1)
 
-    def _lengths(self, x: Array, name: str) -> Array:
-        whole = not self.blocks or name == "clearance"
-        rows = [slice(None)] if whole else [block.rows for block in self.blocks]
-        return np.stack([np.linalg.norm(x[:, each], axis=-1) for each in rows], -1)
+
+def block_lengths(blocks: tuple[Block, ...], x: Array) -> Array:
+    """Length of each block of (N, n), (N, blocks); of the whole where there are none, (N, 1)."""
+    rows = [block.rows for block in blocks] or [slice(None)]
+    return np.stack([np.linalg.norm(x[:, each], axis=-1) for each in rows], -1)
+
+
+def block_scale(blocks: tuple[Block, ...], x: Array, given: Array | float) -> Array:
+    """The same, or a scale where that is larger."""
+    least = np.asarray(given)
+    return np.maximum(block_lengths(blocks, x), least[:, None] if least.ndim == 1 else least)
 
 
 def tracking(vehicle: Plant, states: States, scalar: str) -> Truth:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from derive.verify.backend import backends
 from derive.verify.check import Report
-from derive.verify.mutation import mutation
+from derive.verify.mutation import mutation, unjudged
 from derive.verify.plant import Plant
 from derive.verify.subject import Subject
 from derive.verify.suite import checks
@@ -38,4 +38,5 @@ def run(
         lines = list(checks(subject, progress))
         if with_mutants:
             lines += mutation(vehicle, controller, each, seed, progress)
+            missing += unjudged(vehicle)
     return Report(name, tuple(lines), tuple(missing))
