@@ -15,6 +15,7 @@ from derive.verify.limits import EPS, LIMITS
 from derive.verify.plant import Plant
 from derive.verify.reference import Truth
 from derive.verify.sample import States
+from derive.verify.shape import space
 
 Array = NDArray[Any]
 
@@ -42,14 +43,18 @@ class Batch:
 CARRYING = ("SE2", "SE3", "SE23")
 """Groups in which rotations carry translations."""
 
-FEWER = 8
-"""A truth made of matrices takes ten times as long as one of quaternions: so many fewer states."""
+FEW, FEWER = 4, 8
+"""A truth made of matrices takes up to ten times as long as one of quaternions: by so many fewer
+states, where rotations carry nothing and where they do."""
+
+
+_OWN = {"log": "own", "rate": "own", "force_f64": "own_force", "plant_f64": "own_force"}
 
 
 def limit_of(vehicle: Plant, what: str) -> str:
-    """Name of the limit of "log", "rate" or "force_f64" on a vehicle's group."""
+    """Name of the limit of "log", "rate", "force_f64" or "plant_f64" on a vehicle's group."""
     if vehicle.own is not None:
-        return {"log": "own", "rate": "own", "force_f64": "own_force"}.get(what, what)
+        return _OWN.get(what, what)
     carries = any(name in CARRYING for name in vehicle.factors)
     return f"{what}_carried" if carries and what in ("log", "rate") else what
 
@@ -58,7 +63,8 @@ def samples(vehicle: Plant, each: int) -> int:
     """States on every rung, of `each` that were asked for; all lengths are among them."""
     if vehicle.is_attitude:
         return each
-    return max(1, each // FEWER)
+    carries = any(name in CARRYING for name in vehicle.factors)
+    return max(1, each // (FEWER if carries else FEW))
 
 
 def ladder(vehicle: Plant, scalar: str, each: int, seed: int, *, is_moving: bool) -> States:
@@ -84,6 +90,24 @@ def at_rest(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch:
     whole = _everywhere(vehicle, truth, scalar)
     clearance = np.full(len(beyond), LIMITS["mutant"].figure * eps)
     limits = {"nu_u": log, "nu_u_dot": rate, "clearance": clearance, "force": whole, "s": whole}
+    return Batch(states, truth, limits)
+
+
+@cache
+def turned(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch | None:
+    """Rotations alone, whose truth takes little: all states that were asked for, at rest.
+
+    None where nothing turns, or where `at_rest` has as many.
+    """
+    if vehicle.is_attitude or not any(one.turns for one in space(vehicle.space).shapes):
+        return None
+    states = ladder(vehicle, scalar, each, seed + 1, is_moving=False)
+    truth = reference.turned(vehicle, states, scalar)
+    beyond, eps = states.angle > np.pi, EPS[scalar]
+    limits = {
+        name: np.where(beyond, LIMITS["beyond_pi"].figure, LIMITS[what].figure) * eps
+        for name, what in (("nu_u", "log"), ("nu_u_dot", "rate"))
+    }
     return Batch(states, truth, limits)
 
 
@@ -116,7 +140,7 @@ def under_force(vehicle: Plant, scalar: str, each: int, seed: int) -> tuple[Batc
     size = np.linalg.norm(vehicle.stored("f64")[0], 2)
     force = (states.nu_r * size).astype(states.nu_r.dtype)
     truth = reference.plant(vehicle, states, force, scalar)
-    limit = np.full(len(force), LIMITS[limit_of(vehicle, f"force_{scalar}")].figure)
+    limit = np.full(len(force), LIMITS[limit_of(vehicle, f"plant_{scalar}")].figure)
     return Batch(states, truth, {"nu_dot": limit}), force
 
 

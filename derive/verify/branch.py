@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.verify import truth
+from derive.verify.factor_law import lifted, turning
 from derive.verify.limits import LIMITS
 from derive.verify.matrix_function import combine, identity, solve
+from derive.verify.matrix_group import coordinates, element, factors
 from derive.verify.plant import Plant
 
 mp = truth.mp
@@ -65,3 +67,23 @@ def _clearance(at: Turn, law: str, is_own: bool) -> Any:
     if at.name != "S3" or law == "sign_vec":
         return abs(w)
     return mp.norm(at.q[1:]) if w < 0 else mp.one
+
+
+def rotations(
+    vehicle: Plant, g: list[float], nu: list[float], flips: tuple[int, ...]
+) -> dict[str, Any]:
+    """Law and rate in the coordinates of rotations, 0 in the others: (n,) each, and the turns.
+
+    flips: factors that are taken across the cut
+    """
+    parts = factors(vehicle.space)
+    velocities = [piece for _, piece in coordinates(vehicle.space, nu)]
+    found: dict[str, Any] = {"nu_u": (), "nu_u_dot": (), "turns": ()}
+    rows = zip(parts, vehicle.factors, element(vehicle.space, g), velocities, strict=True)
+    for place, (one, name, a, x) in enumerate(rows):
+        at = lifted(one, a, flip=place in flips)
+        value, speed = turning(at, vehicle.law, x)
+        found["nu_u"] += (*value, *(mp.zero,) * (one.dim - len(value)))
+        found["nu_u_dot"] += (*speed, *(mp.zero,) * (one.dim - len(speed)))
+        found["turns"] += (Turn(name, a, at.q),)
+    return found

@@ -30,7 +30,7 @@ class _Part:
 
     def hat(self, x: ca.SX) -> ca.SX:
         """Coordinates to a matrix."""
-        return sum((x[i] * e for i, e in enumerate(self.basis)), ca.DM(*self.basis[0].shape))
+        return sum((x[i] * e for i, e in enumerate(self.basis)), ca.SX(*self.basis[0].shape))
 
     def vee(self, a: ca.SX) -> ca.SX:
         """The nearest coordinates."""
@@ -112,7 +112,9 @@ def _brackets(parts: list[_Part]) -> list[Any]:
     for part in parts:
         for a in part.basis:
             whole = np.zeros((n, n))
-            columns = [np.array(part.vee(ca.DM(a @ b - b @ a))).ravel() for b in part.basis]
+            columns = [
+                np.array(ca.evalf(part.vee(ca.SX(a @ b - b @ a)))).ravel() for b in part.basis
+            ]
             end = start + len(part.basis)
             whole[start:end, start:end] = np.array(columns).T
             found.append(ca.DM(whole))

@@ -66,6 +66,16 @@ def rate(at: Lifted, which: str, nu: Vector) -> Vector:
     return tuple((x - y) / (2 * step) for x, y in zip(ahead, behind, strict=True))
 
 
+def turning(at: Lifted, which: str, nu: Vector) -> tuple[Vector, Vector]:
+    """The law of the rotation alone and its rate, in its coordinates; empty where none is."""
+    one = at.one
+    if at.q is None:
+        return (), ()
+    speed, kind = _spatial(one, nu), _kind(one)
+    value, growth = truth.law(kind, which, at.q), truth.rate(kind, which, at.q, speed)
+    return _coordinates(one, value), _coordinates(one, growth)
+
+
 def _still(at: Lifted, which: str) -> Vector:
     one = at.one
     if isinstance(one, Own):
@@ -126,4 +136,3 @@ def _coordinates(one: Factor | Own, x: Vector) -> Vector:
 def _spatial(one: Factor | Own, x: Sequence[Number]) -> Vector:
     """The other way round."""
     return (mp.zero,) * (3 - len(one.turns)) + tuple(x[: len(one.turns)])
-

@@ -1,7 +1,8 @@
 """Any group by its name or basis: exp, log, adjoints and rates with 130 digits.
 
-An element is a tuple with one matrix per factor; a user's group is one factor. Nothing is differentiated by hand: a rate is a
-central difference along g exp(t hat(nu)), and a logarithm is that of the matrix.
+An element is a tuple with one matrix per factor; a user's group is one factor. Nothing is
+differentiated by hand: a rate is a central difference along g exp(t hat(nu)), and a logarithm is
+that of the matrix.
 """
 
 from collections.abc import Callable, Sequence
@@ -99,7 +100,7 @@ def element(name: Name, stored: Sequence[Any]) -> Element:
 
 def store(name: Name, g: Element) -> Vector:
     """The numbers kept of an element."""
-    return _joined(one.store(one, a) for one, a in zip(factors(name), g, strict=True))
+    return _joined(one.keep(a) for one, a in zip(factors(name), g, strict=True))
 
 
 def error(name: Name, g_r: Element, g: Element) -> Element:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from derive.verify import rates, sample
-from derive.verify.batch import Batch, at_rest, at_ties, on_the_move, under_force
+from derive.verify.batch import Batch, at_rest, at_ties, on_the_move, turned, under_force
 from derive.verify.check import Check
 from derive.verify.derived import parts_of
 from derive.verify.limits import EPS, LIMITS
@@ -77,13 +78,14 @@ def outcomes(
     None for what nothing here can judge.
     """
     parts = parts_of(vehicle, controller)
+    least = LIMITS["mutant" if vehicle.own is None else "mutant_own"].figure
+    run = partial(trial, most=MOST, seed=seed, least=least)
     for d in (parts.main, *parts.public, *parts.inner):
         progress(f"mutants of {d.name}")
         cases = _CASES[d.name](vehicle, each, seed)
-        yield d.name, trial(d, *cases, most=MOST, seed=seed) if cases else None
+        yield d.name, run(d, *cases) if cases else None
     progress("mutants of the kernel in float")
-    cases = _float(vehicle, each, seed)
-    yield "kernel in float", trial(parts.main, *cases, scalar="f32", most=MOST, seed=seed)
+    yield "kernel in float", run(parts.main, *_float(vehicle, each, seed), scalar="f32")
 
 
 def _laws(routine: str) -> Callable[[Plant, int, int], Trial]:
@@ -91,6 +93,7 @@ def _laws(routine: str) -> Callable[[Plant, int, int], Trial]:
 
     def cases(vehicle: Plant, each: int, seed: int) -> Trial:
         batches = [at_rest(vehicle, "f64", each, seed), at_ties(vehicle, "f64", seed)]
+        batches.append(turned(vehicle, "f64", each, seed))
         if routine == "tracking":
             batches.append(on_the_move(vehicle, True, "f64", max(1, each // 4), seed))
         rng = np.random.default_rng([seed, 2])
@@ -102,9 +105,11 @@ def _laws(routine: str) -> Callable[[Plant, int, int], Trial]:
 
 def _float(vehicle: Plant, each: int, seed: int) -> Trial:
     """The law at rest, in float."""
-    batch = at_rest(vehicle, "f32", each, seed)
-    domain = _at_rest_domain(vehicle, batch.states, np.ones(len(batch.states.angle), dtype=bool))
-    return [_case(vehicle, batch)], [replace(domain, eps=EPS["f32"])]
+    both = turned(vehicle, "f32", each, seed), at_rest(vehicle, "f32", each, seed)
+    batches = [batch for batch in both if batch is not None]
+    states = batches[0].states
+    domain = _at_rest_domain(vehicle, states, np.ones(len(states.angle), dtype=bool))
+    return [_case(vehicle, batch) for batch in batches], [replace(domain, eps=EPS["f32"])]
 
 
 def _case(vehicle: Plant, batch: Batch) -> Case:
@@ -115,26 +120,38 @@ def _wide(vehicle: Plant, rng: np.random.Generator) -> list[Domain]:
     """Where movement counts: the law at rest, and force and s on the move, off the cut."""
     ladder = sample.angles(vehicle)
     angle = np.concatenate([rng.uniform(0, ladder[-1], WIDE), sample.spread(ladder, 20)])
-    still, moving = (
-        sample.states(vehicle, angle, "f64", rng, is_moving=m) for m in (False, True)
-    )
+    still, moving = (sample.states(vehicle, angle, "f64", rng, is_moving=m) for m in (False, True))
     keep = np.abs(np.cos(angle / 2)) > LIMITS["either side"].figure * EPS["f64"]
-    terms = rates.term_scales(vehicle, moving)
-    scales = {"force": terms["force"], "s": terms["nu_u_dot"]}
     # Towards -i the product of a moving reference is itself rounded at eps/s.
     near = (angle > np.pi) & (np.sin(angle / 2) < 1e-2)
+    scales = {name: _movement(vehicle, moving)[name] for name in ("force", "s")}
     on_move = Domain(_inputs(vehicle, moving), scales, keep & ~near, blocks=blocks_of(vehicle))
     return [_at_rest_domain(vehicle, still, keep), on_move]
 
 
 def _at_rest_domain(vehicle: Plant, states: States, keep: Array) -> Domain:
-    """Where the law itself counts: on twice the sine of half the angle, and on |p|."""
-    terms, half = rates.term_scales(vehicle, states), np.sin(states.angle / 2)
-    sine = np.repeat(half[:, None] / 2, len(space(vehicle.space).shapes), 1)
-    value = Natural(vehicle, states, sine, {}).value
-    scales = {"force": terms["force"], "s": terms["nu_u_dot"]}
-    scales |= {"nu_u": value, "nu_u_dot": terms["nu_u_dot"], "clearance": np.ones_like(half)}
+    """Where the law itself counts."""
+    scales = _movement(vehicle, states)
     return Domain(_inputs(vehicle, states), scales, keep, blocks=blocks_of(vehicle))
+
+
+def _movement(vehicle: Plant, states: States) -> dict[str, Array]:
+    """What a movement is counted against: how far inputs round, and what truth is judged on.
+
+    The law counts on half of what it is judged on; force and s on their terms over 20.
+    """
+    half = np.sin(states.angle / 2)
+    sine = np.repeat(half[:, None], len(space(vehicle.space).shapes), 1)
+    natural = Natural(vehicle, states, sine, {})
+    terms, judged = rates.term_scales(vehicle, states), natural.scales()
+    s = np.maximum(terms["nu_u_dot"], judged["s"] / LIMITS["cancellation"].figure)
+    return {
+        "force": np.maximum(terms["force"], judged["force"]),
+        "s": s,
+        "nu_u": natural.value / 2,
+        "nu_u_dot": terms["nu_u_dot"],
+        "clearance": np.ones_like(half),
+    }
 
 
 def _inputs(vehicle: Plant, states: States) -> dict[str, Array]:

@@ -52,7 +52,7 @@ class Natural:
     def scales(self) -> dict[str, Array]:
         """Of every output, (N, blocks)."""
         law, rate = self._of("nu_u"), np.maximum(self._of("nu_u_dot"), self.rate)
-        inertia, rate_gain, reach_gain = self.vehicle.stored("f64")
+        _, rate_gain, reach_gain = self.vehicle.stored("f64")
         law = np.maximum(law, self.value)
         drive = rate_gain * (law + (self.arm if self.states.nu_r.any() else 0.0))
         s = self.speed + drive
@@ -183,11 +183,11 @@ class Natural:
 
     def _by_kind(self, turn: Array, shift: Array, own: Array) -> Array:
         kinds = np.array([block.kind for block in self.blocks])
-        return np.where(kinds == "turn", turn, np.where(kinds == "shift", shift, own))
+        return np.asarray(np.where(kinds == "turn", turn, np.where(kinds == "shift", shift, own)))
 
     def _swept(self, x: Array) -> Array:
         """|v| + |p||omega|, from lengths of a velocity."""
-        return x + self.arm * self._turning(x)
+        return np.asarray(x + self.arm * self._turning(x))
 
     def _turning(self, x: Array) -> Array:
         """Of each block, the length of its factor's rotation."""

@@ -10,7 +10,6 @@ from derive.verify.matrix_function import (
     Number,
     Vector,
     combine,
-    dot,
     inverse,
     product,
     solve,
@@ -69,7 +68,7 @@ class Own:
         """Stored numbers, row by row, to the matrix, as they are."""
         return tuple(numbers[i : i + self.whole] for i in range(0, self.stored, self.whole))
 
-    def store(self, _: object, a: Matrix) -> Vector:
+    def keep(self, a: Matrix) -> Vector:
         """Matrix to stored numbers, row by row."""
         return tuple(chain.from_iterable(a))
 
@@ -84,9 +83,3 @@ class Own:
     def angle(self, _: Matrix) -> Number:
         """No rotation is known of."""
         return mp.zero
-
-
-def frobenius(a: Matrix) -> Number:
-    """Square root of the sum of squares of the entries."""
-    flat = tuple(chain.from_iterable(a))
-    return mp.sqrt(dot(flat, flat))

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive.verify import matrix_truth, truth
-from derive.verify.branch import Turn, at_cut, clearance, turns
+from derive.verify.branch import Turn, at_cut, clearance, rotations, turns
 from derive.verify.limits import EPS
 from derive.verify.natural import Natural, blocks_of
 from derive.verify.plant import Plant
@@ -73,7 +73,7 @@ class Truth:
             off = block_lengths(blocks, (value.astype(np.float64) - high) - low)
         scale = block_scale(blocks, high, self.scales.get(name, 0.0))
         relative = off / np.where(scale > 0, scale, 1.0)
-        return np.where(np.isnan(relative), np.inf, relative).max(-1)
+        return np.asarray(np.where(np.isnan(relative), np.inf, relative).max(-1))
 
 
 def block_lengths(blocks: tuple[Block, ...], x: Array) -> Array:
@@ -85,7 +85,8 @@ def block_lengths(blocks: tuple[Block, ...], x: Array) -> Array:
 def block_scale(blocks: tuple[Block, ...], x: Array, given: Array | float) -> Array:
     """The same, or a scale where that is larger."""
     least = np.asarray(given)
-    return np.maximum(block_lengths(blocks, x), least[:, None] if least.ndim == 1 else least)
+    wide = least[:, None] if least.ndim == 1 else least
+    return np.asarray(np.maximum(block_lengths(blocks, x), wide))
 
 
 def tracking(vehicle: Plant, states: States, scalar: str) -> Truth:
@@ -93,11 +94,10 @@ def tracking(vehicle: Plant, states: States, scalar: str) -> Truth:
 
     def one(row: int, flips: tuple[int, ...]) -> dict[str, Any]:
         at = _row(states, row, "g_r", "g", "nu", "nu_r", "nu_r_dot", *STATE)
+        numbers: Any = (vehicle.law, *vehicle.stored(scalar), *at)
         if vehicle.is_attitude:
-            given = (vehicle.group, vehicle.law, *vehicle.stored(scalar), *at)
-            return truth.tracking(*given, flip=bool(flips))
-        given = (vehicle.space, vehicle.law, *vehicle.stored(scalar), *at)
-        return matrix_truth.tracking(*given, flips=flips)
+            return truth.tracking(vehicle.group, *numbers, flip=bool(flips))
+        return matrix_truth.tracking(vehicle.space, *numbers, flips=flips)
 
     return _table(one, vehicle, states, scalar)
 
@@ -107,13 +107,35 @@ def reaching(vehicle: Plant, states: States, scalar: str) -> Truth:
 
     def one(row: int, flips: tuple[int, ...]) -> dict[str, Any]:
         at = _row(states, row, "g", "nu", *STATE)
+        numbers: Any = (vehicle.law, *vehicle.stored(scalar), *at)
         if vehicle.is_attitude:
-            given = (vehicle.group, vehicle.law, *vehicle.stored(scalar), *at)
-            return truth.reaching(*given, flip=bool(flips))
-        given = (vehicle.space, vehicle.law, *vehicle.stored(scalar), *at)
-        return matrix_truth.reaching(*given, flips=flips)
+            return truth.reaching(vehicle.group, *numbers, flip=bool(flips))
+        return matrix_truth.reaching(vehicle.space, *numbers, flips=flips)
 
     return _table(one, vehicle, states, scalar)
+
+
+def turned(vehicle: Plant, states: States, scalar: str) -> Truth:
+    """Truth of the law and its rate on the rotations alone, whatever they carry."""
+    blocks = blocks_of(vehicle)
+    turning = [block.kind == "turn" for block in blocks]
+
+    def one(row: int, flips: tuple[int, ...] = ()) -> dict[str, Any]:
+        g, nu = _row(states, row, "g", "nu")
+        return rotations(vehicle, g, nu, flips)
+
+    plain = [one(row) for row in range(len(states.angle))]
+    cuts = [at_cut(found["turns"], EPS[scalar]) for found in plain]
+    sides = [plain, [one(row, cut) if cut else plain[row] for row, cut in enumerate(cuts)]]
+    branches = [
+        {n: _pair([row[n] for row in side]) for n in ("nu_u", "nu_u_dot")} for side in sides
+    ]
+    sine = np.array([[turn.sine for turn in row["turns"]] for row in plain])
+    natural = Natural(vehicle, states, sine, {})
+    scales = {"nu_u": natural.value[:, turning], "nu_u_dot": natural.rate[:, turning]}
+    judged = tuple(block for block in blocks if block.kind == "turn")
+    error = tuple(row["turns"] for row in plain)
+    return Truth(tuple(branches), scales, error, blocks=judged)
 
 
 def plant(vehicle: Plant, states: States, force: NDArray[Any], scalar: str) -> Truth:
@@ -145,7 +167,7 @@ def _table(
         if flips := at_cut(error, EPS[scalar]):
             other[row] = one(row, flips)
     branches = [_pairs(vehicle, rows) for rows in (plain, other)]
-    outputs = {
+    outputs: dict[str, Array] = {
         name: np.array([[float(x) for x in row[name]] for row in plain])
         for name in ("nu_u", "nu_u_dot", "nu_e", "eta_dot")
         if name in plain[0]

@@ -138,9 +138,11 @@ def _errors(
 ) -> tuple[list[Array], Array, Array]:
     """The error, one matrix per factor; axis and angle of the factor whose turn it is, (N, …)."""
     group, count = space(vehicle.space), len(angle)
+    places = [i for i, one in enumerate(group.shapes) if not one.is_vector]
+    turning = {place: turn for turn, place in enumerate(places)}
     found, axis, angles = [], np.zeros((count, 3)), np.array(angle, float)
     for place, (name, one) in enumerate(zip(vehicle.factors, group.shapes, strict=True)):
-        mine = np.arange(count) % len(group.shapes) == place
+        mine = np.arange(count) % max(1, len(turning)) == turning.get(place, -1)
         limit = np.inf if one.is_own else reach(name, vehicle.law)
         turn = np.where(mine & (angle <= limit), angle, rng.uniform(0.3, 1.1, count))
         angles = np.where(mine, turn, angles)
@@ -163,7 +165,7 @@ def _planar(one: Shape, axis: Array) -> Array:
     """In the plane there are two axes."""
     if one.turns != 1:
         return axis
-    return np.where(axis[:, 2:] < 0, -1.0, 1.0) * np.array([0.0, 0.0, 1.0])
+    return np.asarray(np.where(axis[:, 2:] < 0, -1.0, 1.0) * np.array([0.0, 0.0, 1.0]))
 
 
 def _shifts(
@@ -177,7 +179,7 @@ def _shifts(
     if not columns:
         return np.zeros((count, one.size, 0))
     which = (np.arange(count)[:, None] // 2 + place + np.arange(one.columns)) % len(lengths)
-    return np.stack(columns, -1) * np.array(lengths)[which][:, None, :]
+    return np.asarray(np.stack(columns, -1) * np.array(lengths)[which][:, None, :])
 
 
 def _matrix(one: Shape, angle: Array, axis: Array, shifts: Array) -> Array:

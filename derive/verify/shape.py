@@ -238,4 +238,3 @@ def space(of: Any) -> Space:
         return Space([_shape(name) for name in of.split(" x ")])
     basis = np.array([[[float(x) for x in row] for row in e] for e in of])
     return Space([Shape(0, 0, 0, basis, is_own=True)])
-

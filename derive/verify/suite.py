@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from derive.verify import symbolic
-from derive.verify.accuracy import accuracy, forces, plants, ties
+from derive.verify.accuracy import accuracy, forces, plants, rotations, ties
 from derive.verify.batch import ladder
 from derive.verify.check import Check
 from derive.verify.derivative import derivatives
@@ -22,6 +22,7 @@ def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -
     plan: tuple[tuple[str, Callable[[Subject], Iterator[Check]]], ...] = (
         ("kernel and chain rule in 50 digits", symbolics),
         ("law and rate against truth", accuracy),
+        ("rotations against truth", rotations),
         ("side at the cut locus", ties),
         ("force against truth", forces),
         ("plant against truth", plants),

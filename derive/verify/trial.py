@@ -152,11 +152,12 @@ def trial(
     scalar: str = "f64",
     most: int | None = None,
     seed: int = 0,
+    least: float = LIMITS["mutant"].figure,
 ) -> Outcome:
     """Judge every mutant on the cases; measure on the domains what they let through.
 
     In double every mutant of every step, and of the kernel; in float those of its own kernel.
-    most: as many of them by the seed, where there are more
+    most: as many of them by the seed, where there are more; least: eps of a movement that counts
     """
     runner = Runner(d, scalar)
     on_cases = [(case, runner.values(case.inputs)) for case in cases]
@@ -175,7 +176,7 @@ def trial(
             domain.movement(before, runner.harmed(mutant, values))
             for domain, values, before in on_domains
         )
-        found = missed if moved >= LIMITS["mutant"].figure else equivalent
+        found = missed if moved >= least else equivalent
         found.append((mutant.what, moved))
     return Outcome(len(tried), len(everyone), tuple(missed), tuple(equivalent))
 
