@@ -49,7 +49,7 @@ def law(at: Lifted, which: str) -> Vector:
     one = at.one
     if at.q is None:
         return _still(at, which)
-    if not one.columns:
+    if _is_turn(one, which):
         return _coordinates(one, truth.law(_kind(one), which, at.q))
     return _log(one, at.q, at.matrix) if which == "log" else LAWS[which](one, at.matrix)
 
@@ -59,7 +59,7 @@ def rate(at: Lifted, which: str, nu: Vector) -> Vector:
     one, speed = at.one, max(map(abs, nu))
     if not speed:
         return nu
-    if at.q is not None and not one.columns:
+    if at.q is not None and _is_turn(one, which):
         return _coordinates(one, truth.rate(_kind(one), which, at.q, _spatial(one, nu)))
     step = STEP / speed
     ahead, behind = (law(_flown(at, nu, time), which) for time in (step, -step))
@@ -131,6 +131,11 @@ def _kind(one: Factor | Own) -> str:
 def _coordinates(one: Factor | Own, x: Vector) -> Vector:
     """A rotation vector in the coordinates of the factor: in the plane the third alone."""
     return x[-len(one.turns) :]
+
+
+def _is_turn(one: Factor | Own, which: str) -> bool:
+    """Whether the law is one of quaternions alone."""
+    return not one.columns and (_kind(one), which) in truth.LAWS
 
 
 def _spatial(one: Factor | Own, x: Sequence[Number]) -> Vector:

@@ -159,9 +159,11 @@ class Natural:
 
     @cached_property
     def _terms(self) -> Array:
-        """|g - 1| + |g^-1 - 1|, what the law of a user's group is made of."""
-        off = [np.linalg.norm(a - np.eye(a.shape[-1]), axis=(1, 2)) for a in self._error]
-        return np.asarray(off[0][:, None] * self.spread)
+        """|g| + |g^-1| in the entries that vee reads, what the law of a user's group is made of."""
+        (one, *_), (g, *_) = self._space.shapes, self._error
+        read = one.basis.any(0)
+        off = [np.linalg.norm(a * read, axis=(1, 2)) for a in (g, np.linalg.inv(g))]
+        return np.asarray((off[0] + off[1])[:, None] * self.spread)
 
     @property
     def _space(self) -> Any:
