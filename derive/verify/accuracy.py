@@ -10,7 +10,16 @@ from numpy.typing import NDArray
 
 from derive.verify import matrix_function, matrix_group, truth
 from derive.verify.backend import Backend
-from derive.verify.batch import Batch, at_rest, at_ties, limit_of, on_the_move, turned, under_force
+from derive.verify.batch import (
+    Batch,
+    at_rest,
+    at_ties,
+    limit_of,
+    on_the_move,
+    rotation_limit,
+    turned,
+    under_force,
+)
 from derive.verify.branch import Turn
 from derive.verify.check import Check
 from derive.verify.limits import EPS
@@ -50,7 +59,8 @@ def rotations(subject: Subject) -> Iterator[Check]:
         for backend in backends:
             errors = _largest(batch, [backend.run(subject.law, batch.states)])
             for name, what in (("nu_u", "log"), ("nu_u_dot", "rate")):
-                yield from _split(f"{name}: rotation", backend, errors[name], what, batch)
+                limit = rotation_limit(subject.vehicle, what)
+                yield from _split(f"{name}: rotation", backend, errors[name], limit, batch)
 
 
 def ties(subject: Subject) -> Iterator[Check]:

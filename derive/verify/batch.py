@@ -55,8 +55,15 @@ def limit_of(vehicle: Plant, what: str) -> str:
     """Name of the limit of "log", "rate", "force_f64" or "plant_f64" on a vehicle's group."""
     if vehicle.own is not None:
         return _OWN.get(what, what)
-    carries = any(name in CARRYING for name in vehicle.factors)
-    return f"{what}_carried" if carries and what in ("log", "rate") else what
+    if not any(name in CARRYING for name in vehicle.factors) or what not in ("log", "rate"):
+        return what
+    return "skew_carried" if vehicle.law == "skew" else f"{what}_carried"
+
+
+def rotation_limit(vehicle: Plant, what: str) -> str:
+    """The same of rotations alone; what skew reads is the matrix as it is stored."""
+    found = limit_of(vehicle, what)
+    return found if found == "skew_carried" else what
 
 
 def samples(vehicle: Plant, each: int) -> int:
@@ -93,6 +100,10 @@ def at_rest(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch:
     return Batch(states, truth, limits)
 
 
+def _rotation(vehicle: Plant, what: str) -> float:
+    return LIMITS[rotation_limit(vehicle, what)].figure
+
+
 @cache
 def turned(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch | None:
     """Rotations alone, whose truth takes little: all states that were asked for, at rest.
@@ -105,7 +116,7 @@ def turned(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch | None:
     truth = reference.turned(vehicle, states, scalar)
     beyond, eps = states.angle > np.pi, EPS[scalar]
     limits = {
-        name: np.where(beyond, LIMITS["beyond_pi"].figure, LIMITS[what].figure) * eps
+        name: np.where(beyond, LIMITS["beyond_pi"].figure, _rotation(vehicle, what)) * eps
         for name, what in (("nu_u", "log"), ("nu_u_dot", "rate"))
     }
     return Batch(states, truth, limits)

@@ -23,6 +23,7 @@ _TABLE = (
     Limit("rate", 4, "eps", "exact rate of the law against truth, relative to its length"),
     Limit("log_carried", 4, "eps", "law on SE2, SE3, SE23 and their products, block by block"),
     Limit("rate_carried", 4, "eps", "its exact rate, on |v| + |p||omega|"),
+    Limit("skew_carried", 9, "eps", "skew there: 4, and nine entries half an eps off the group"),
     Limit("own", 450, "eps", "law and rate on a user's group, relative to their terms: 1e-13"),
     Limit("own_force", 1e-13, "relative", "force, s and plant in double on a user's group"),
     Limit("exp", 450, "eps", "exp(log g) against g, block by block: 1e-13 relative in double"),

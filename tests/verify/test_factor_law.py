@@ -21,7 +21,8 @@ HEISENBERG = (
 def both(name: Any, law: str, g: Any, nu: Any, *, flip: bool = False) -> tuple[Any, Any]:
     """nu_u and its rate of a whole group, factor by factor."""
     parts = zip(matrix_group.factors(name), g, matrix_group.coordinates(name, nu), strict=True)
-    value, rate = [], []
+    value: list[Any] = []
+    rate: list[Any] = []
     for one, a, (_, x) in parts:
         at = factor_law.lifted(one, a, flip=flip)
         value += factor_law.law(at, law)

@@ -9,6 +9,7 @@ PROMISED = {
     "rate": (4, "eps"),
     "log_carried": (4, "eps"),
     "rate_carried": (4, "eps"),
+    "skew_carried": (9, "eps"),
     "own": (450, "eps"),
     "own_force": (1e-13, "relative"),
     "exp": (450, "eps"),
