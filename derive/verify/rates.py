@@ -34,7 +34,7 @@ def differences(vehicle: Plant, law: Law, states: States, nu_e: Array) -> dict[s
 
     The step is 1e-2 divided by the speed, so that it is an arc of 1e-2 rad.
     """
-    step = STEP / np.maximum(0.3, np.linalg.norm(nu_e, axis=1, keepdims=True))
+    step = STEP / np.maximum(0.3, _speed(vehicle, nu_e))
     total: dict[str, Array] = {}
     for i, weight in WEIGHTS.items():
         ahead, behind = (law(moved(vehicle, states, nu_e, side * i * step)) for side in (1, -1))
@@ -42,6 +42,15 @@ def differences(vehicle: Plant, law: Law, states: States, nu_e: Array) -> dict[s
             change = weight * (value - behind[name]) / step
             total[name] = total.get(name, 0.0) + change
     return total
+
+
+def _speed(vehicle: Plant, nu_e: Array) -> Array:
+    """|nu_e|, (N, 1); in whatever basis a user's group has, as fast as ad can turn: 2 |hat|."""
+    length = np.linalg.norm(nu_e, axis=1, keepdims=True)
+    if vehicle.own is None:
+        return np.asarray(length)
+    (hat,) = space(vehicle.space).hat(nu_e)
+    return np.maximum(length, 2 * np.linalg.norm(hat, 2, axis=(1, 2))[:, None])
 
 
 def complex_step(vehicle: Plant, law: Law, states: States, nu_e: Array) -> dict[str, Array]:

@@ -34,11 +34,12 @@ def test_no_mutant_that_moves_an_output_is_missed(group: str, law: str) -> None:
 
 @pytest.mark.parametrize(
     ("group", "law", "options"),
-    [("SO2", "log", ()), ("SL2", "cayley", ()), ("SE2", "log", ("external", "momentum"))],
+    [("SO2", "log", ("external", "momentum")), ("SL2", "cayley", ()), ("SE2", "log", ())],
 )
 def test_no_mutant_is_missed_on_other_groups(
-    group: str, law: str, options: tuple[str, ...]
+    group: str, law: str, options: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr("derive.verify.mutation.MOST", 500)
     for routine, outcome in outcomes(plant(vehicle(group, law, options=options)), "gsmc"):
         assert outcome is None or outcome.missed == (), routine
         assert (outcome is None) == (group == "SL2" and routine == "residual")
