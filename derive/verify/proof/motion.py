@@ -15,7 +15,7 @@ import sympy
 from sympy import Matrix, Symbol
 
 from derive.lie.group import Group
-from derive.verify.proof.model import element, vector
+from derive.verify.proof.model import element, numbers
 from derive.verify.proof.statement import Fact, Statement, vanish
 
 EPS = Symbol("eps")
@@ -66,7 +66,7 @@ class GroupMotion:
     def __init__(self, group: Group, seed: int = 1) -> None:
         rng = random.Random(seed)
         self.group, self.name, self.g = group, group.name, element(group, rng)
-        self.reference = tuple(vector(group.dim, rng) for _ in range(2))
+        self.reference = tuple(numbers(group.dim, rng) for _ in range(2))
 
     def motions(self) -> Iterator[tuple[Any, Any, Any, Any]]:
         """One per basis vector."""

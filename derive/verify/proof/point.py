@@ -1,0 +1,152 @@
+"""Exact points of a group, and the formulas of the emitted code evaluated there, exactly.
+
+With phi the angle of rotation, C and S cosine and sine of its half, everything that the code
+computes is algebraic in phi^2, C, S/phi and the coordinates, which obey C^2 + S^2 = 1 and no
+other relation. So the kernel has rational values at rational points, k = phi/(2 S), h and m from
+s^2 h = 1 - w k and s^2 m = k - 3 w h, and so has each step: roots are of squares, cases are
+decided, pi is one more free number. An identity that holds at random points of a set of N per
+coordinate is wrong with a probability of at most its degree over N (Schwartz and Zippel).
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+from sympy import Expr, Matrix, Rational, Symbol
+
+from derive.lie.group import Group
+from derive.lie.kernel import SMALL, TINY, H, K, M
+from derive.routine.derivation import Derivation
+from derive.verify.proof.exponential import STILL, Turn, exponential, square_of_pair
+from derive.verify.proof.model import N, element, number, numbers
+
+PI = Rational(random.Random("pi").randrange(N), N) + 3
+"""A free number in the place of pi."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """An element and, where it is an exponential, its logarithm.
+
+    x:      logarithm, (n, 1); None for an element reached in another way
+    stored: its stored numbers, (k, 1)
+    turns:  of the matrix hat(x), one for each factor of a product
+    halves: of half of phi, whose cosine is w, one for each factor
+    kernel: values of the kernel's functions there
+    """
+
+    stored: Matrix
+    x: Matrix | None = None
+    turns: tuple[Turn, ...] = ()
+    halves: tuple[Turn, ...] = ()
+    kernel: Mapping[Expr, Rational] = field(default_factory=dict)
+
+
+def points(group: Group, count: int, seed: int = 0) -> Iterator[Point]:
+    """Random points, exponentials on groups and factors with a chart; ValueError for none."""
+    rng = random.Random(f"{group.name} {seed}")
+    for _ in range(count):
+        yield _point(group, rng)
+
+
+def _point(group: Group, rng: random.Random) -> Point:
+    if group.factors:
+        return _joined([_point(factor, rng) for factor in group.factors])
+    if group.chart is None:
+        return Point(group.store(element(group, rng)))
+    x = _rational_axis(rng) if group.is_rotation else numbers(group.dim, rng)
+    inner = square_of_pair(group.hat(x))
+    if not inner:
+        return Point(group.store(exponential(group.hat(x))), x, (STILL,), (STILL,))
+    outer = square_of_pair(group.ad(x)) or inner
+    half = _half(outer / 4, rng, is_whole=inner != outer)
+    turn = half.double if inner == outer else half
+    stored = group.store(exponential(group.hat(x), turn))
+    return Point(stored, x, (turn,), (half,), _kernel(half))
+
+
+def _rational_axis(rng: random.Random) -> Matrix:
+    """A vector of rational length, (3, 1)."""
+    a, b = number(rng), number(rng)
+    return number(rng) * Matrix([1 - a**2 - b**2, 2 * a, 2 * b]) / (1 + a**2 + b**2)
+
+
+def _half(square: Rational, rng: random.Random, *, is_whole: bool) -> Turn:
+    """Of half of phi, square = phi^2/4; its cosine positive unless the whole circle is asked for.
+
+    Of two points that differ in the sign of the cosine, the slope takes one to the other.
+    """
+    turn = Turn.at(square, abs(number(rng)) * rng.choice((1, 4)) / _root(square))
+    is_near = is_whole or turn.cosine > 0
+    return turn if is_near else Turn.at(square, 1 / (square * turn.sine / (1 + turn.cosine)))
+
+
+def _root(square: Rational) -> Rational:
+    """A rational number near the root, to spread the angles."""
+    return Rational(sympy.integer_nthroot(int(square * 2**40), 2)[0] + 1, 2**20)
+
+
+def _kernel(half: Turn) -> dict[Expr, Rational]:
+    """k, h and m at w, and at |w|: k(-w) = pi/s - k(w)."""
+    w, square = half.cosine, half.square * half.sine**2
+    values = _family(w, square, 1 / half.sine)
+    if w < 0:
+        values |= _family(-w, square, PI / sympy.sqrt(square) - 1 / half.sine)
+    return values
+
+
+def _family(w: Rational, square: Rational, k: Rational) -> dict[Expr, Rational]:
+    h = (1 - w * k) / square
+    return {K(w): k, H(w): h, M(w): (k - 3 * w * h) / square}
+
+
+def _joined(parts: Sequence[Point]) -> Point:
+    """Of a direct product."""
+    logs = [part.x for part in parts]
+    x = None if any(one is None for one in logs) else Matrix.vstack(*logs)
+    kernel = {call: value for part in parts for call, value in part.kernel.items()}
+    turns = tuple(turn for part in parts for turn in part.turns)
+    halves = tuple(half for part in parts for half in part.halves)
+    return Point(Matrix.vstack(*(part.stored for part in parts)), x, turns, halves, kernel)
+
+
+def evaluated(d: Derivation, given: Mapping[Expr, Any], point: Point) -> dict[Expr, Any]:
+    """Every symbol of a derivation, exactly; ValueError where a value is not rational."""
+    known: dict[Expr, Any] = {**CONSTANTS, **given}
+    for symbol, term in d.terms():
+        known[symbol] = _value(term, known, point)
+    return known
+
+
+def moved(
+    d: Derivation, known: Mapping[Expr, Any], rates: Mapping[Expr, Any], point: Point
+) -> dict[Expr, Any]:
+    """Rate of every symbol where the inputs move at these rates; others rest."""
+    found = dict(rates)
+    for symbol, term in d.terms():
+        total = sympy.S.Zero
+        for one in term.free_symbols:
+            if rate := found.get(one, 0):
+                total += _value(sympy.diff(term, one), known, point) * rate
+        found[symbol] = total
+    return found
+
+
+CONSTANTS = {TINY: sympy.S.Zero, SMALL: sympy.S.Zero, sympy.pi: PI}
+"""What the code adds against division by zero is nothing here."""
+
+
+def _value(term: Expr, known: Mapping[Expr, Any], point: Point) -> Rational:
+    value = term.xreplace(known).xreplace(point.kernel)
+    if not value.is_Rational:
+        raise ValueError(f"{term} is not rational at an exact point: {value}")
+    return value
+
+
+def assigned(symbols: Iterable[Symbol], values: Iterable[Any]) -> dict[Expr, Any]:
+    """Symbols with their values."""
+    return dict(zip(symbols, values, strict=True))
