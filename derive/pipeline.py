@@ -187,13 +187,13 @@ def verify(
 
 def prove(vehicle: Vehicle | None, progress: Callable[[str], None]) -> ProofReport:
     """Decide the paper's statements exactly; see derive.verify.proof. Raises InputError."""
-    from derive.lie.catalogue import named
     from derive.verify.proof import run
 
     if vehicle is None:
         return run.prove(None, progress=progress)
     check_facts(vehicle, resolve(vehicle))
-    return run.prove(named(vehicle.group), vehicle.inertia, progress, law=vehicle.law)
+    group = group_of(vehicle)
+    return run.prove(group, vehicle.inertia, progress, law=vehicle.law, options=vehicle.options)
 
 
 def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:

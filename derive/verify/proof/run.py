@@ -16,21 +16,23 @@ from derive.verify.proof import (
     emitted,
     extras,
     logarithm,
+    loop,
     mistake_loop,
     mistake_space,
     motion,
     tangent,
 )
 from derive.verify.proof.algebra import Inertia, Setting
-from derive.verify.proof.emitted import Lawful, Steered
+from derive.verify.proof.emitted import Lawful
+from derive.verify.proof.loop import Steered
 from derive.verify.proof.model import Elements, Words
 from derive.verify.proof.motion import FreeMotion, GroupMotion
 from derive.verify.proof.report import ProofReport, Row
 from derive.verify.proof.statement import Statement
 
 ROOMS = (
-    tangent, dynamics, extras, motion, logarithm, differential, emitted, mistake_loop,
-    mistake_space,
+    tangent, dynamics, extras, motion, logarithm, differential, emitted, loop,
+    mistake_loop, mistake_space,
 )  # fmt: skip
 
 STATEMENTS: tuple[Statement, ...] = tuple(chain.from_iterable(room.STATEMENTS for room in ROOMS))
@@ -123,11 +125,10 @@ def concrete(
         return subjects, (str(reason),)
     subjects |= {"tangent": elements, "motion": [Subject(name, GroupMotion(group), ELEMENT)]}
     subjects |= _logarithms(group) | _vehicle(group, inertia, law, options)
-    if not any(map(any, group.structure)):
-        subjects.pop("momentum", None)
-        commuting = f"{name}: its elements commute, so Remark 1 and momentum say nothing there"
-        return subjects, (commuting,)
-    return {**subjects, "closure": elements}, ()
+    if any(map(any, group.structure)):
+        return {**subjects, "closure": elements}, ()
+    silent = ["Remark 1", *(["momentum"] if subjects.pop("momentum", None) else [])]
+    return subjects, (f"{name}: {' and '.join(silent)}, as its elements commute",)
 
 
 def _logarithms(group: Group) -> Subjects:
