@@ -13,14 +13,15 @@ from functools import cached_property
 from typing import Any
 
 import sympy
-from sympy import Expr, Matrix, Rational
+from sympy import Expr, Matrix, Rational, Symbol
 
 from derive.control.kinematic import KinematicLaw, apply
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
+from derive.verify.proof.dual import Dual, Walk, shown
 from derive.verify.proof.exponential import derivative
 from derive.verify.proof.model import numbers
-from derive.verify.proof.point import Point, assigned, evaluated, moved, points
+from derive.verify.proof.point import Point, assigned, evaluated, points
 from derive.verify.proof.statement import Fact, Statement, vanish
 
 COUNT = 8
@@ -48,10 +49,6 @@ class Lawful:
         d.give(Quantity("nu_u_dot", n, "", ""), rate)
         return d.pruned()
 
-    def known(self, point: Point, nu: Matrix) -> dict[Expr, Any]:
-        """Every symbol at a point that moves with nu."""
-        return evaluated(self.derivation, inputs(self.derivation, g=point.stored, nu_e=nu), point)
-
 
 def flow(group: Group, stored: Matrix, nu: Matrix) -> Matrix:
     """Rate of the stored numbers, (k, 1), along g' = g hat(nu); they are linear in g."""
@@ -70,10 +67,11 @@ def inputs(d: Derivation, **values: Any) -> dict[Expr, Any]:
     return {s: x for q, row in rows for s, x in assigned(q.symbols(), row).items()}
 
 
-def output(d: Derivation, name: str, known: Mapping[Expr, Any]) -> Matrix:
-    """The value of an output, (k, 1), or its rate where known has rates."""
+def output(d: Derivation, name: str, known: Mapping[Symbol, Dual], rate: bool = False) -> Matrix:
+    """The value of an output, (k, 1), or its rate."""
     (entries,) = (entries for quantity, entries in d.outputs if quantity.name == name)
-    return Matrix([known.get(entry, 0) if entry.is_Symbol else entry for entry in entries])
+    walk = Walk(dict(known), {}, None)
+    return Matrix([shown(walk(entry)[rate]) for entry in entries])
 
 
 Law = Callable[[Lawful, Point, Matrix], tuple[Matrix, Matrix]]
@@ -81,8 +79,9 @@ Law = Callable[[Lawful, Point, Matrix], tuple[Matrix, Matrix]]
 
 def as_derived(of: Lawful, point: Point, nu: Matrix) -> tuple[Matrix, Matrix]:
     """nu_u and nu_u_dot of the code, each (n, 1)."""
-    known = of.known(point, nu)
-    return output(of.derivation, "nu_u", known), output(of.derivation, "nu_u_dot", known)
+    d = of.derivation
+    known = evaluated(d, inputs(d, g=point.stored, nu_e=nu), point)
+    return output(d, "nu_u", known), output(d, "nu_u_dot", known)
 
 
 def _is_differential(of: Lawful, claim: Law) -> Iterator[Fact]:
@@ -115,9 +114,8 @@ def _is_rate(of: Lawful, claim: Law) -> Iterator[Fact]:
     d = only(of.derivation, "nu_u")
     for point in points(of.group, COUNT, seed=1):
         nu = numbers(of.group.dim, rng)
-        known = evaluated(d, inputs(d, g=point.stored), point)
-        rates = inputs(d, g=flow(of.group, point.stored, nu))
-        truth = output(d, "nu_u", moved(d, known, rates, point))
+        moves = inputs(d, g=flow(of.group, point.stored, nu))
+        truth = output(d, "nu_u", evaluated(d, inputs(d, g=point.stored), point, moves), rate=True)
         yield vanish("nu_u' along g' = g hat(nu)", claim(of, point, nu)[1] - truth)
 
 

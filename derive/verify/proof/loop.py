@@ -23,7 +23,7 @@ from derive.routine.derivation import Derivation
 from derive.verify.proof.algebra import Inertia
 from derive.verify.proof.emitted import EXACT, flow, inputs, only, output
 from derive.verify.proof.model import number, numbers
-from derive.verify.proof.point import Point, evaluated, moved, points
+from derive.verify.proof.point import Point, evaluated, points
 from derive.verify.proof.statement import Fact, Statement, vanish
 
 
@@ -96,9 +96,8 @@ def _sliding(
     rates = {"g": flow(group, state["g"], state["nu"]), "nu": nu_dot}
     if "nu_r" in state:
         rates |= {"g_r": flow(group, state["g_r"], state["nu_r"]), "nu_r": state["nu_r_dot"]}
-    known = evaluated(short, inputs(short, **state), point)
-    change = moved(short, known, inputs(short, **rates), point)
-    return output(short, "s", known), output(short, "s", change)
+    known = evaluated(short, inputs(short, **state), point, inputs(short, **rates))
+    return output(short, "s", known), output(short, "s", known, rate=True)
 
 
 STATEMENTS = (

@@ -19,8 +19,9 @@ import sympy
 from sympy import Expr, Matrix, Rational, Symbol
 
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY, H, K, M
+from derive.lie.kernel import SMALL, TINY
 from derive.routine.derivation import Derivation
+from derive.verify.proof.dual import NOTHING, Dual, Kernel, Walk, exact
 from derive.verify.proof.exponential import STILL, Turn, exponential, square_of_pair
 from derive.verify.proof.model import N, element, number, numbers
 
@@ -36,14 +37,14 @@ class Point:
     stored: its stored numbers, (k, 1)
     turns:  of the matrix hat(x), one for each factor of a product
     halves: of half of phi, whose cosine is w, one for each factor
-    kernel: values of the kernel's functions there
+    kernel: values of the kernel's functions there, by order and w
     """
 
     stored: Matrix
     x: Matrix | None = None
     turns: tuple[Turn, ...] = ()
     halves: tuple[Turn, ...] = ()
-    kernel: Mapping[Expr, Rational] = field(default_factory=dict)
+    kernel: Kernel = field(default_factory=dict)
 
 
 def points(group: Group, count: int, seed: int = 0) -> Iterator[Point]:
@@ -90,7 +91,7 @@ def _root(square: Rational) -> Rational:
     return Rational(sympy.integer_nthroot(int(square * 2**40), 2)[0] + 1, 2**20)
 
 
-def _kernel(half: Turn) -> dict[Expr, Rational]:
+def _kernel(half: Turn) -> Kernel:
     """k, h and m at w, and at |w|: k(-w) = pi/s - k(w)."""
     w, square = half.cosine, half.square * half.sine**2
     values = _family(w, square, 1 / half.sine)
@@ -99,52 +100,36 @@ def _kernel(half: Turn) -> dict[Expr, Rational]:
     return values
 
 
-def _family(w: Rational, square: Rational, k: Rational) -> dict[Expr, Rational]:
+def _family(w: Rational, square: Rational, k: Rational) -> dict[tuple[int, Any], Any]:
     h = (1 - w * k) / square
-    return {K(w): k, H(w): h, M(w): (k - 3 * w * h) / square}
+    family = (k, h, (k - 3 * w * h) / square)
+    return {(order, exact(w)): exact(value) for order, value in enumerate(family)}
 
 
 def _joined(parts: Sequence[Point]) -> Point:
     """Of a direct product."""
     logs = [part.x for part in parts]
     x = None if any(one is None for one in logs) else Matrix.vstack(*logs)
-    kernel = {call: value for part in parts for call, value in part.kernel.items()}
+    kernel = {place: value for part in parts for place, value in part.kernel.items()}
     turns = tuple(turn for part in parts for turn in part.turns)
     halves = tuple(half for part in parts for half in part.halves)
     return Point(Matrix.vstack(*(part.stored for part in parts)), x, turns, halves, kernel)
 
 
-def evaluated(d: Derivation, given: Mapping[Expr, Any], point: Point) -> dict[Expr, Any]:
-    """Every symbol of a derivation, exactly; ValueError where a value is not rational."""
-    known: dict[Expr, Any] = {**CONSTANTS, **given}
+def evaluated(
+    d: Derivation,
+    values: Mapping[Expr, Any],
+    point: Point,
+    rates: Mapping[Expr, Any] | None = None,
+) -> dict[Symbol, Dual]:
+    """Value and rate of every symbol; an input without a rate rests."""
+    moves = rates or {}
+    known = {one: (exact(x), exact(moves.get(one, sympy.S.Zero))) for one, x in values.items()}
+    known |= dict.fromkeys((TINY, SMALL), (NOTHING, NOTHING))
+    walk = Walk(known, point.kernel, exact(PI))
     for symbol, term in d.terms():
-        known[symbol] = _value(term, known, point)
+        known[symbol] = walk(term)
     return known
-
-
-def moved(
-    d: Derivation, known: Mapping[Expr, Any], rates: Mapping[Expr, Any], point: Point
-) -> dict[Expr, Any]:
-    """Rate of every symbol where the inputs move at these rates; others rest."""
-    found = dict(rates)
-    for symbol, term in d.terms():
-        total = sympy.S.Zero
-        for one in term.free_symbols:
-            if rate := found.get(one, 0):
-                total += _value(sympy.diff(term, one), known, point) * rate
-        found[symbol] = total
-    return found
-
-
-CONSTANTS = {TINY: sympy.S.Zero, SMALL: sympy.S.Zero, sympy.pi: PI}
-"""What the code adds against division by zero is nothing here."""
-
-
-def _value(term: Expr, known: Mapping[Expr, Any], point: Point) -> Rational:
-    value = term.xreplace(known).xreplace(point.kernel)
-    if not value.is_Rational:
-        raise ValueError(f"{term} is not rational at an exact point: {value}")
-    return value
 
 
 def assigned(symbols: Iterable[Symbol], values: Iterable[Any]) -> dict[Expr, Any]:
