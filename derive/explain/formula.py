@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 import sympy
-from sympy import Expr, Piecewise, Symbol
+from sympy import Expr, ImmutableMatrix, Piecewise, Symbol
 
 from derive.explain.notation import Notation
 from derive.explain.text import TEXT
@@ -55,6 +55,12 @@ def display(name: str, entries: Sequence[Expr], sizes: Mapping[str, int], n: Not
     if n.is_flat or is_wide or len(entries) > TALLEST:
         return _displayed([(n.symbol(f"{name}_{i}"), e) for i, e in enumerate(entries)], n)
     return _equation(left, n.column([spell(entry, n) for entry in entries]), n)
+
+
+def matrix_of(name: str, value: ImmutableMatrix, n: Notation) -> str:
+    """A displayed matrix of numbers."""
+    rows = [[spell(entry, n) for entry in value[i, :]] for i in range(value.rows)]
+    return _equation(n.symbol(name), n.matrix(rows), n)
 
 
 def _equation(left: str, right: str, n: Notation) -> str:
@@ -147,11 +153,10 @@ def _product(value: Expr, n: Notation) -> str:
     if _is_negative(value):
         return n.minus + _factor(-value, n)
     coefficient, rest = value.as_coeff_Mul()
-    over, under = sympy.fraction(rest)
+    over, under = sympy.fraction(rest if sympy.fraction(rest)[1] == 1 else value)
     above = sorted((f for f in sympy.Mul.make_args(over) if f != 1), key=_is_entry)
-    if coefficient != 1:
-        above.insert(0, coefficient)
     if under == 1:
+        above = [coefficient] * (coefficient != 1) + above
         return n.product.join(_factor(f, n) for f in above)
     below = sympy.Mul.make_args(under)
     return n.fraction % (_part(above or [sympy.S.One], n), _part(below, n, is_below=True))

@@ -58,6 +58,9 @@ LATEX = Notation(
     column=lambda entries: (
         r"\begin{pmatrix} " + r" \\ ".join(entries) + r" \end{pmatrix}"
     ),
+    matrix=lambda rows: (
+        r"\begin{pmatrix} " + r" \\ ".join(" & ".join(row) for row in rows) + r" \end{pmatrix}"
+    ),
     cases=lambda cases: (
         r"\begin{cases} "
         + r" \\ ".join(

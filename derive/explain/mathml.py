@@ -58,6 +58,7 @@ MATHML = Notation(
     column=lambda entries: (
         "<mrow><mo>(</mo>" + _table("column", [[one] for one in entries]) + "<mo>)</mo></mrow>"
     ),
+    matrix=lambda rows: "<mrow><mo>(</mo>" + _table("matrix", rows) + "<mo>)</mo></mrow>",
     cases=lambda cases: (
         "<mrow><mo>{</mo>"
         + _table(
