@@ -45,6 +45,8 @@ MATHML = Notation(
     root="<msqrt>%s</msqrt>",
     absolute="<mrow><mo>|</mo>%s<mo>|</mo></mrow>",
     group="<mrow><mo>(</mo>%s<mo>)</mo></mrow>",
+    opening='<mo stretchy="false">(</mo>',
+    closing='<mo stretchy="false">)</mo>',
     call="%s<mrow><mo>(</mo>%s<mo>)</mo></mrow>",
     prime="<msup>%s<mo>′</mo></msup>",
     actions={

@@ -35,6 +35,7 @@ class Notation:
     minus, less: the sign of one term, and between two
     width:   of a line of a formula, in characters of its text; of a column's entry as well
     relations: operators of conditions that are spelled in another way
+    opening, closing: parentheses around several lines
     single, rows: a displayed formula, of one line or of (left, right) lines
     plain, code: a sentence and a line of C as the document takes them
     """
@@ -51,6 +52,8 @@ class Notation:
     root: str
     absolute: str
     group: str
+    opening: str
+    closing: str
     call: str
     prime: str
     actions: dict[str, str]

@@ -70,8 +70,14 @@ def routine(d: Derivation) -> str:
 
 
 def step(d: Derivation, name: str) -> str:
-    """The formula of one of its steps; empty where the entries say it."""
-    return _filled(STEPS.get((d.name, name), ""), d)
+    """The formula of one of its steps; empty where the entries say it, or a step is not there.
+
+    Where elements commute, whatever ad* acts on is not computed.
+    """
+    source = _filled(STEPS.get((d.name, name), ""), d)
+    there = {one.name for one in d.inputs} | {one.quantity.name for one in d.steps}
+    said = {one.id for one in ast.walk(ast.parse(source)) if isinstance(one, ast.Name)}
+    return source if said <= there | {"I", "Ad", "ad", "coad"} else ""
 
 
 def _filled(source: str, d: Derivation) -> str:
