@@ -42,13 +42,17 @@ OPTIONAL = (
     made("heisenberg", "Heisenberg", HEISENBERG, "log"),
     made("affine", "Aff1", STRETCH, "skew"),
     made("product", "S3 x SE2 x R2", None, "log"),
-    made("extended", "SE23", None, "cayley"),
+    made("extended", "SE23", None, "log"),
 )
 _ROTATIONS = ("SO3", "S3")
 
 SUBJECTS = (
     *FILES,
-    *(one for one in LAWFUL if one.group in _ROTATIONS or one.law == "log"),
-    *(one for one in STEERED if one.group in (*_ROTATIONS, "SE3")),
+    *(
+        one
+        for one in LAWFUL
+        if one.group in _ROTATIONS or (one.law == "log" and one.group != "SE23")
+    ),
+    *(one for one in STEERED if one.group in _ROTATIONS),
     *OPTIONAL,
 )

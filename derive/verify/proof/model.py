@@ -59,7 +59,10 @@ class Words:
 
 
 class Elements:
-    """Exact elements of a group with the law vee(g - g^-1)/2, which is odd on every group."""
+    """Exact elements with a law that is odd on every group, and additive on none.
+
+    x + x^3, entry by entry, of x = vee(g - g^-1)/4.
+    """
 
     def __init__(self, group: Group, seed: int = 0) -> None:
         rng = random.Random(seed)
@@ -77,8 +80,9 @@ class Elements:
         return self.group.inverse(a)
 
     def drive(self, a: Matrix) -> Matrix:
-        """lambda nu_u with lambda = 1/2."""
-        return self.group.vee(a - self.inverse(a)) / 4
+        """lambda nu_u."""
+        x = self.group.vee(a - self.inverse(a)) / 4
+        return x + x.multiply_elementwise(x).multiply_elementwise(x)
 
     def entries(self, a: Matrix, nu: Matrix) -> list[Any]:
         """Of a - 1 and of nu."""
