@@ -48,42 +48,48 @@ class Point:
 
 
 def points(group: Group, count: int, seed: int = 0) -> Iterator[Point]:
-    """Random points, exponentials on groups and factors with a chart; ValueError for none."""
+    """Random points, exponentials on groups and factors with a chart; ValueError for none.
+
+    Which coordinate is the largest, and how far the element is from the identity, goes round, so
+    that they meet every branch of a logarithm.
+    """
     rng = random.Random(f"{group.name} {seed}")
-    for _ in range(count):
-        yield _point(group, rng)
+    for turn in range(count):
+        yield _point(group, rng, turn)
 
 
-def _point(group: Group, rng: random.Random) -> Point:
+def _point(group: Group, rng: random.Random, place: int) -> Point:
     if group.factors:
-        return _joined([_point(factor, rng) for factor in group.factors])
+        return _joined([_point(factor, rng, place) for factor in group.factors])
     if group.chart is None:
         return Point(group.store(element(group, rng)))
     x = _rational_axis(rng) if group.is_rotation else numbers(group.dim, rng)
+    first = place % min(group.dim, 3)
+    x[0], x[first] = x[first], 3 * x[0]
     inner = square_of_pair(group.hat(x))
     if not inner:
         return Point(group.store(exponential(group.hat(x))), x, (STILL,), (STILL,))
     outer = square_of_pair(group.ad(x)) or inner
-    half = _half(outer / 4, rng, is_whole=inner != outer)
-    turn = half.double if inner == outer else half
+    is_double = inner != outer
+    half = _half(outer / 4, rng, is_near=place % 4 == 3, is_beyond=is_double and place % 2 == 1)
+    turn = half if is_double else half.double
     stored = group.store(exponential(group.hat(x), turn))
     return Point(stored, x, (turn,), (half,), _kernel(half))
 
 
 def _rational_axis(rng: random.Random) -> Matrix:
-    """A vector of rational length, (3, 1)."""
-    a, b = number(rng), number(rng)
-    return number(rng) * Matrix([1 - a**2 - b**2, 2 * a, 2 * b]) / (1 + a**2 + b**2)
+    """A vector of rational length when its first entry is tripled, (3, 1)."""
+    a, b = number(rng) / 4, number(rng) / 4
+    return number(rng) * Matrix([(1 - a**2 - b**2) / 3, 2 * a, 2 * b]) / (1 + a**2 + b**2)
 
 
-def _half(square: Rational, rng: random.Random, *, is_whole: bool) -> Turn:
-    """Of half of phi, square = phi^2/4; its cosine positive unless the whole circle is asked for.
-
-    Of two points that differ in the sign of the cosine, the slope takes one to the other.
-    """
-    turn = Turn.at(square, abs(number(rng)) * rng.choice((1, 4)) / _root(square))
-    is_near = is_whole or turn.cosine > 0
-    return turn if is_near else Turn.at(square, 1 / (square * turn.sine / (1 + turn.cosine)))
+def _half(square: Rational, rng: random.Random, *, is_near: bool, is_beyond: bool) -> Turn:
+    """Of half of phi, square = phi^2/4: its cosine above 1/2, from 0 to 1/2, or below 0."""
+    start, width = (
+        (Rational(1, 20), Rational(1, 2)) if is_near else (Rational(3, 5), Rational(3, 8))
+    )
+    slope = (start + width * abs(number(rng))) / _root(square)
+    return Turn.at(square, 1 / (square * slope) if is_beyond else slope)
 
 
 def _root(square: Rational) -> Rational:
