@@ -158,3 +158,14 @@ def test_a_name_is_read_as_the_papers_symbol(
 ) -> None:
     assert parts(name) == read_as
     assert LATEX.symbol(name) == latex
+
+
+@pytest.mark.parametrize("n", [LATEX, MATHML], ids=["latex", "mathml"])
+def test_a_long_sum_is_broken_within_a_product(n: Notation) -> None:
+    terms = symbols(" ".join(f"long_name_{i}" for i in range(20)), real=True)
+    shown = display("w", [(sympy.Add(*terms)) / c_0], {}, n)
+    assert all(n.symbol(f"long_name_{i}") in shown for i in range(20))
+    over = n.fraction % (n.symbol("1"), n.symbol("c_0"))
+    assert over + n.product + n.opening in shown
+    assert shown.count(n.opening) == shown.count(n.closing) == 1
+    assert shown.index(n.opening) < shown.index(n.closing)
