@@ -56,3 +56,8 @@ SUBJECTS = (
     *(one for one in STEERED if one.group in _ROTATIONS),
     *OPTIONAL,
 )
+
+"""Whose formulas are read back and evaluated."""
+
+DOCUMENTED = (*FILES, *(one for one in LAWFUL if one.group in ("SO2", "R3", "S3")), *OPTIONAL)
+"""Whose documents are read whole."""

@@ -16,12 +16,12 @@ from derive.explanation import explain
 from derive.vehicle import InputError, Vehicle
 from derive.vehicle.group import group_of
 from tests.emit.subjects import FILES, texts
-from tests.explain.subjects import OPTIONAL, SUBJECTS
+from tests.explain.subjects import DOCUMENTED, OPTIONAL
 
 VOID = {"meta", "br", "hr", "link", "img"}
 REQUIRED = ("nu_e", "eta", "eta_dot", "nu_u_dot", "s", "force")
 
-every_vehicle = pytest.mark.parametrize("vehicle", SUBJECTS, ids=lambda v: v.name)
+every_vehicle = pytest.mark.parametrize("vehicle", DOCUMENTED, ids=lambda v: v.name)
 KEPT = TemporaryDirectory(prefix="derive-")
 """A cache of derivations for this file's tests."""
 
@@ -193,12 +193,12 @@ def test_constants_and_kernels_are_explained() -> None:
 
 
 def test_a_group_of_ones_own_is_shown_by_its_basis() -> None:
-    vehicle = next(v for v in SUBJECTS if v.name == "sl2")
+    vehicle = next(v for v in DOCUMENTED if v.name == "sl2")
     assert "group      SL2, dimension 3\n" in document(vehicle, "text")
     assert "    E_1 = [[0, 0], [1, 0]]  [1/s]\n" in document(vehicle, "text")
     assert r"E_{2} = \begin{pmatrix} 1 & 0 \\ 0 & -1 \end{pmatrix}" in document(vehicle, "latex")
     assert document(vehicle, "html").count("<figure>") == 3
-    known = next(v for v in SUBJECTS if v.name == "underwater")
+    known = next(v for v in DOCUMENTED if v.name == "underwater")
     assert "<figure>" not in document(known, "html")
 
 

@@ -51,8 +51,8 @@ REBASED = rebased(
 EVERY = {
     group.name: group
     for group in (
-        *GROUPS.values(), named("SE3 x SO3"), named("S3 x SE2 x R2"), named("SO2 x SO2"),
-        HEISENBERG, SL2, SL3, AFFINE, SIMILAR, SO4, REBASED,
+        *GROUPS.values(), named("SE3 x SO3"), named("S3 x R2"), named("SO2 x SO2"),
+        HEISENBERG, SL2, SL3, AFFINE, SIMILAR, REBASED,
     )
 }  # fmt: skip
 """By name."""

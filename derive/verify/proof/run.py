@@ -77,6 +77,8 @@ def prove(
     more = catalogue() if group is None else {}
     if group is not None:
         more, skipped = concrete(group, inertia, law, options)
+        for kind, those in witnesses(group).items():
+            subjects[kind] = those if kind in more else []
     for kind, those in more.items():
         subjects.setdefault(kind, []).extend(those)
     rows: list[Row] = []
@@ -108,6 +110,14 @@ def catalogue() -> Subjects:
         for kind, those in _logarithms(group).items():
             found.setdefault(kind, []).extend(those)
     return found
+
+
+def witnesses(group: Group) -> Subjects:
+    """SE2, where no false version is true: on a group that commutes many a one is."""
+    other = GROUPS["SE2"]
+    if group.name == other.name:
+        return {}
+    return {**_logarithms(other), "law": _vehicle(other, None, "log", ())["law"]}
 
 
 def concrete(
