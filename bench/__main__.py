@@ -7,16 +7,18 @@ import json
 import sys
 import tempfile
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
-from bench import instructions, size, throughput, waiting
+from bench import accuracy, instructions, loop, size, throughput, waiting
 from bench.figure import Figure
 
 Measure = Callable[[Path], list[Figure]]
 
 PARTS: dict[str, Measure] = {
+    "accuracy": accuracy.measure,
     "instructions": instructions.measure,
+    "loop": loop.measure,
     "size": size.measure,
     "throughput": throughput.measure,
     "waiting": waiting.measure,
@@ -37,7 +39,9 @@ def shown(figure: Figure) -> str:
 def as_data(figure: Figure) -> dict[str, object]:
     """What a machine reads of a figure."""
     limit = figure.limit.figure if figure.limit else None
-    return {**asdict(figure), "limit": limit}
+    said = asdict(replace(figure, bound=None))
+    del said["bound"]
+    return {**said, "limit": limit}
 
 
 def main() -> int:
