@@ -201,3 +201,32 @@ def _product(parts: list[Algebra]) -> Algebra:
     ]
     basis = np.concatenate([placed(i) for i in range(len(parts))])
     return Algebra(basis, embed, tuple(kept), (len(kept),), off)
+
+
+def exp(a: Array) -> Array:
+    """Matrix exponential, (…, m, m): a Taylor series after six halvings, for norms up to 10."""
+    small, unit = a / 2**6, np.eye(a.shape[-1])
+    total = unit + np.zeros_like(a)
+    for order in range(18, 0, -1):
+        total = unit + small @ total / order
+    for _ in range(6):
+        total = total @ total
+    return total
+
+
+def log(a: Array) -> Array:
+    """Principal matrix logarithm, (…, m, m): four square roots by Denman and Beavers, a series.
+
+    scipy's serves one matrix at a time, in threads that wait for each other.
+    """
+    unit = np.eye(a.shape[-1])
+    for _ in range(4):
+        root, back = a, unit + np.zeros_like(a)
+        for _ in range(9):
+            root, back = (root + np.linalg.inv(back)) / 2, (back + np.linalg.inv(root)) / 2
+        a = root
+    z = (a - unit) @ np.linalg.inv(a + unit)
+    total = np.zeros_like(a)
+    for order in range(25, 0, -2):
+        total = unit / order + z @ z @ total
+    return np.asarray(2**5 * z @ total)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from bench import made
-from bench.algebra import Algebra, Array, algebra
+from bench.algebra import Algebra, Array, algebra, log
 from bench.motion import ROWS, Case, start
 
 SECONDS = 8.0
@@ -144,9 +144,7 @@ class Flight:
 
 
 def _log(space: Algebra, g: Array) -> Array:
-    from scipy.linalg import logm
-
-    return space.vee(np.array([np.real(logm(a)) for a in g]))
+    return space.vee(log(g))
 
 
 def _skew(space: Algebra, g: Array) -> Array:

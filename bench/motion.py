@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bench.algebra import Algebra, Array, algebra
+from bench.algebra import Array, algebra, exp
 
 ROWS = 2
 """Motions integrated together, each with an inertia of its own."""
@@ -72,19 +72,13 @@ def start(case: Case, seed: int = 0) -> Start:
     half = random.normal(size=(ROWS, n, n))
     reference, apart = (random.normal(size=(ROWS, n)) for _ in range(2))
     apart *= 1.5 / np.linalg.norm(apart, axis=-1, keepdims=True)
-    g_r = _exp(space, reference)
+    g_r = exp(space.hat(reference))
     return Start(
         inertia=half @ np.swapaxes(half, -1, -2) / n + np.eye(n),
         reference=wave(random, n, 0.4),
         external=wave(random, n, 1.0),
-        g=space.store(g_r @ _exp(space, apart)),
+        g=space.store(g_r @ exp(space.hat(apart))),
         nu=0.5 * random.normal(size=(ROWS, n)),
         g_r=space.store(g_r),
         momentum=random.normal(size=(ROWS, n)),
     )
-
-
-def _exp(space: Algebra, x: Array) -> Array:
-    from scipy.linalg import expm
-
-    return np.array([expm(a) for a in space.hat(x)])
