@@ -29,7 +29,8 @@ def shown(figure: Figure) -> str:
     """One line of the table."""
     value = f"{figure.value:,.0f}" if figure.value >= 100 else f"{figure.value:.3g}"
     spread = "" if figure.least in (None, figure.value) else f" (least {figure.least:,.0f})"
-    line = f"{figure.name:34} {value:>10} {figure.unit + spread:26}"
+    aside = f" ({figure.aside})" if figure.aside else ""
+    line = f"{figure.name:42} {value:>10} {figure.unit + spread + aside:26}"
     if figure.limit is None:
         return line.rstrip()
     verdict = "ok" if figure.is_within else "EXCEEDED"

@@ -11,7 +11,7 @@ from derive.verify.limits import LIMITS, Limit
 class Figure:
     """One measured cost: the most, and where it varies from case to case the least.
 
-    bound: its limit, where that has not the name of the figure
+    bound: its limit, where that has not the name of the figure; aside: a remark behind the unit
     """
 
     name: str
@@ -19,6 +19,7 @@ class Figure:
     unit: str
     least: float | None = None
     bound: Limit | None = None
+    aside: str = ""
 
     @property
     def limit(self) -> Limit | None:
