@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import asdict, replace
 from pathlib import Path
 
-from bench import accuracy, instructions, loop, size, throughput, waiting
+from bench import accuracy, instructions, loop, operations, size, throughput, waiting
 from bench.figure import Figure
 
 Measure = Callable[[Path], list[Figure]]
@@ -19,6 +19,7 @@ PARTS: dict[str, Measure] = {
     "accuracy": accuracy.measure,
     "instructions": instructions.measure,
     "loop": loop.measure,
+    "operations": operations.measure,
     "size": size.measure,
     "throughput": throughput.measure,
     "waiting": waiting.measure,

@@ -20,7 +20,7 @@ from derive.terminal import progress
 from derive.verify.limits import EPS, Limit
 
 GROUPS = ("SO2", "SO3", "S3", "SE2", "SE3", "SE23", "R3", "SO3 x R3")
-EACH = {"f64": 4, "f32": 2}
+EACH = {"f64": 3, "f32": 2}
 """States for every angle and translation."""
 
 ANY = Limit("any group", 1e-13 / EPS["f64"], "eps", "1e-13 in double, as many eps in float")

@@ -24,6 +24,7 @@ ANGLES = (
     *(np.pi - 1e-2, np.pi - 1e-4, np.pi - 1e-6),
 )
 LENGTHS = (1e-6, 1e-3, 1.0, 1e3, 1e6)
+FEW = 3
 SCALAR = {"f32": np.float32, "f64": np.float64}
 
 
@@ -89,10 +90,10 @@ def _drawn(name: str, angle: float, length: float, random: np.random.Generator) 
 
 
 def _ladder(name: str, each: int) -> Iterator[tuple[float, float]]:
-    """Every angle with every length `each` times; as many where the group has only one of them."""
+    """Every angle with every length `each` times; a few times where there is only one of them."""
     kinds = {one.name for one in blocks(name)}
-    lengths = LENGTHS if "translation" in kinds else (1.0,) * len(LENGTHS)
-    angles = ANGLES if "rotation" in kinds else (0.0,) * len(ANGLES)
+    lengths = LENGTHS if "translation" in kinds else (1.0,) * FEW
+    angles = ANGLES if "rotation" in kinds else (0.0,) * FEW
     return ((a, p) for a in angles for p in lengths for _ in range(each))
 
 

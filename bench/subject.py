@@ -3,27 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from derive import pipeline
+from derive.lie.catalogue import named
 from derive.vehicle import Vehicle, load
 
 Array = NDArray[np.float64]
 
 ROOT = Path(__file__).parents[1]
-MEASURED = ("paper_so3", "paper_s3")
 ROUTINES = ("tracking", "reaching", "control", "plant")
+MEASURED = {
+    "paper_so3": ROUTINES,
+    "paper_s3": ROUTINES,
+    "full_se2": ("tracking",),
+    "full_se3": ("tracking",),
+}
+"""Vehicle -> the routines whose instructions are counted; full_GROUP has no file."""
 
 ANGLES = (0.0, 1e-12, 1e-8, 1e-4, 1e-2, 0.1, 1.0, 2.0, 3.0, np.pi - 1e-2, np.pi - 1e-6, np.pi)
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (1.0, -2.0, 3.0))
 
 
 def vehicle(name: str) -> Vehicle:
-    """A vehicle of the repository by name."""
+    """A vehicle of the repository by name, or one with a full inertia on a group."""
+    if name.startswith("full_"):
+        return full(name.removeprefix("full_").upper())
     return load(ROOT / "vehicles" / f"{name}.toml")
+
+
+def full(group: str) -> Vehicle:
+    """A vehicle whose inertia has no zero; all its numbers differ from 1."""
+    n = named(group).dim
+    entry = [[Fraction(5 + i) if i == j else Fraction(i + j, 10) for j in range(n)]
+             for i in range(n)]  # fmt: skip
+    return Vehicle(
+        name=f"full_{group.lower()}",
+        group=group,
+        law="log",
+        controller="gsmc",
+        inertia=tuple(map(tuple, entry)),
+        gains=(("lambda", Fraction(1, 2)), ("k_s", Fraction(3, 4))),
+        scalars=("f32", "f64"),
+        targets=("c99", "numpy"),
+        source="made to be measured",
+    )
 
 
 def place(name: str, folder: Path) -> Path:
@@ -47,19 +75,33 @@ def _quaternion(axis: Array, angle: float) -> Array:
     return np.concatenate(([np.cos(angle / 2)], np.sin(angle / 2) * unit))
 
 
-ELEMENT = {"SO3": _rotation, "S3": _quaternion}
+def _pose(axis: Array, angle: float) -> Array:
+    """A rotation, and the axis itself as translation."""
+    g = np.eye(4)
+    g[:3, :3], g[:3, 3] = _rotation(axis, angle), axis
+    return g
+
+
+def _plane_pose(axis: Array, angle: float) -> Array:
+    g = np.eye(3)
+    g[:2, :2], g[:2, 2] = _rotation(np.array([0.0, 0.0, 1.0]), angle)[:2, :2], axis[:2]
+    return g
+
+
+ELEMENT = {"SO3": _rotation, "S3": _quaternion, "SE2": _plane_pose, "SE3": _pose}
+"""Group -> element of an axis and an angle, in the group's storage."""
 
 
 def states(group: str) -> Iterator[dict[str, Array]]:
     """g, nu and a reference at the identity, over the ladder of angles and a handful of axes."""
     random = np.random.default_rng(1)
-    element = ELEMENT[group]
+    element, n = ELEMENT[group], named(group).dim
     for axis in AXES:
         for angle in ANGLES:
             yield {
                 "g": element(np.array(axis), angle).ravel(),
-                "nu": random.normal(size=3),
+                "nu": random.normal(size=n),
                 "g_r": element(np.array(axis), 0.0).ravel(),
-                "nu_r": random.normal(size=3),
-                "nu_r_dot": random.normal(size=3),
+                "nu_r": random.normal(size=n),
+                "nu_r_dot": random.normal(size=n),
             }
