@@ -67,7 +67,7 @@ def _relative(off: Array, scale: Array) -> float:
 
 
 def _off(found: Array, wanted: Pair) -> Array:
-    return np.linalg.norm((found - wanted[0]) - wanted[1], axis=-1)
+    return np.asarray(np.linalg.norm((found - wanted[0]) - wanted[1], axis=-1))
 
 
 def errors(states: States, run: Run, block: Block, place: int) -> Iterator[tuple[str, float]]:

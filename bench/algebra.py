@@ -43,11 +43,11 @@ class Algebra:
 
     def hat(self, x: Array) -> Array:
         """Coordinates (…, n) to matrices (…, m, m)."""
-        return np.einsum("...i,ijk->...jk", x, self.basis)
+        return np.asarray(np.einsum("...i,ijk->...jk", x, self.basis))
 
     @cached_property
     def _dual(self) -> Array:
-        return np.linalg.pinv(self.basis.reshape(self.dim, -1))
+        return np.asarray(np.linalg.pinv(self.basis.reshape(self.dim, -1)), np.float64)
 
     def vee(self, a: Array) -> Array:
         """Matrices (…, m, m) to coordinates (…, n)."""
@@ -60,7 +60,8 @@ class Algebra:
     def coad(self, x: Array, a: Array) -> Array:
         """ad*_x a, (…, n): its y-component is <a; [x, e_y]>."""
         X = self.hat(x)[..., None, :, :]
-        return np.asarray(np.einsum("...yi,...i->...y", self.vee(X @ self.basis - self.basis @ X), a))
+        brackets = self.vee(X @ self.basis - self.basis @ X)
+        return np.asarray(np.einsum("...yi,...i->...y", brackets, a))
 
     def pull(self, g: Array, x: Array) -> Array:
         """Ad of g^-1 on x, (…, n)."""
@@ -138,9 +139,7 @@ _SINGLE: dict[str, Callable[[], Algebra]] = {
     "SE2": lambda: _carrier(2, 1),
     "SE3": lambda: _carrier(3, 1),
     "SE23": lambda: _carrier(3, 2),
-    "S3": lambda: Algebra(
-        _left(np.eye(4)[1:]) / 2, _left, (0, 4, 8, 12), (4,), _skewness(4)
-    ),
+    "S3": lambda: Algebra(_left(np.eye(4)[1:]) / 2, _left, (0, 4, 8, 12), (4,), _skewness(4)),
     "Heisenberg": lambda: _matrices(
         [], [_unit(3, 0, 1), _unit(3, 1, 2), _unit(3, 0, 2)], _triangular
     ),
@@ -188,7 +187,7 @@ def _product(parts: list[Algebra]) -> Algebra:
         return diagonal([one.embed(piece) for one, piece in zip(parts, pieces, strict=True)])
 
     def off(g: Array) -> Array:
-        return np.max([one.off(block(g, i)) for i, one in enumerate(parts)], axis=0)
+        return np.asarray(np.max([one.off(block(g, i)) for i, one in enumerate(parts)], axis=0))
 
     def placed(i: int) -> Array:
         zero: Any = [np.zeros((parts[i].dim, size, size)) for size in sizes]

@@ -16,6 +16,7 @@ from derive.verify import matrix_truth as truth
 from derive.verify.matrix_factor import factors
 
 Array = NDArray[Any]
+Numbers = Sequence[Any]
 Pair = tuple[Array, Array]
 """A number as the sum of two doubles, (N, n) each: 32 digits of the truth."""
 
@@ -101,26 +102,26 @@ def states(
     name: str, scalar: str, each: int, tell: Callable[[str], None] = lambda _: None
 ) -> States:
     """States of a group, `each` for every angle and length."""
-    random = np.random.default_rng([each, *name.encode()])
-    kind, rows = SCALAR[scalar], []
-    ladder = list(_ladder(name, each))
+    random, kind = np.random.default_rng([each, *name.encode()]), SCALAR[scalar]
+    ladder, rows = list(_ladder(name, each)), []
     for count, (angle, length) in enumerate(ladder):
         tell(f"{name} {scalar}: truth of state {count + 1} of {len(ladder)}")
         x, nu = _drawn(name, angle, length, random)
-        stored = kind([float(v) for v in truth.store(name, truth.exp(name, x))])
-        rows.append((x, stored, kind(nu), *_judged(name, stored, kind(nu))))
-    x, g, nu, lengths, log, rate = zip(*rows, strict=True)
-    return States(*map(np.array, (x, g, nu, lengths)), log=_pair(log), rate=_pair(rate))
+        g = truth.store(name, truth.exp(name, x.tolist()))
+        stored, speed = (np.array([float(v) for v in each], kind) for each in (g, nu))
+        rows.append((x, stored, speed, *_judged(name, stored.tolist(), speed.tolist())))
+    columns: list[Any] = list(zip(*rows, strict=True))
+    xs, elements, speeds, lengths = map(np.array, columns[:4])
+    return States(xs, elements, speeds, lengths, _pair(columns[4]), _pair(columns[5]))
 
 
-def _judged(name: str, stored: Array, nu: Array) -> tuple[list[float], Any, Any]:
+def _judged(name: str, stored: Numbers, nu: Numbers) -> tuple[list[float], Numbers, Numbers]:
     """Lengths of the translations, logarithm and rate of the stored element."""
-    g = truth.element(name, stored)
-    parts = factors(name)
-    lengths = [
-        0.0 if one.column is None else _length(parts[one.factor].parts(g[one.factor])[1], one.column)
-        for one in blocks(name)
-    ]
+    g, parts = truth.element(name, stored), factors(name)
+    lengths = []
+    for one in blocks(name):
+        _, columns = parts[one.factor].parts(g[one.factor])
+        lengths.append(0.0 if one.column is None else _length(columns, one.column))
     return lengths, truth.log(name, g), truth.rate(name, g, nu)
 
 

@@ -90,7 +90,7 @@ class Flight:
     def error(self, y: Array) -> Array:
         """g_r^-1 g as matrices, (rows, m, m)."""
         g, _, g_r, _ = self.split(y)
-        return np.linalg.solve(self.space.embed(g_r), self.space.embed(g))
+        return np.asarray(np.linalg.solve(self.space.embed(g_r), self.space.embed(g)), np.float64)
 
     def energy(self, t: float, y: Array) -> Array:
         """W of every row by its definition: s = nu - Ad(g_e^-1) nu_r + lambda nu_u(g_e)."""
