@@ -101,6 +101,32 @@ def test_an_option_that_is_not_heeded_breaks_it(option: str, tmp_path: Path) -> 
     assert found is None or found.energy > 1e5 * LIMIT
 
 
+def test_a_wrong_plant_is_seen_as_such(tmp_path: Path) -> None:
+    case = Case("SE3", options=("external", "momentum"))
+    head, mark, plant = text(case).partition("def _plant(")
+    found = flown(case, head + mark + plant.replace("external[", "-external["), tmp_path)
+    assert found.plant > 1e-3
+
+
+def test_a_rough_integration_is_seen_as_such(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(flight, "TOLERANCE", 1e-6)
+    found = flown(Case("SO3"), text(Case("SO3")), tmp_path)
+    assert found.drift > 1e-10
+    assert not keeps(found)
+
+
+@pytest.mark.parametrize(("turn", "statuses"), [(3.0, {0}), (1.0, {0, 2}), (1.0, {16})])
+def test_near_the_cut_or_refused_is_no_figure(
+    turn: float, statuses: set[int], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = Found(1e-12, turn, 0.0, 0.0, math.exp(-16), frozenset(statuses))
+    monkeypatch.setattr(loop, "closed", lambda *_: found)
+    with pytest.raises(ArithmeticError, match="loop SO2: the loop left where the law is smooth"):
+        loop.measure(tmp_path)
+
+
 def judged(case: Case, source: str, folder: Path) -> Found | None:
     """What a mutant shows; None where it does not even come to an end."""
     try:
