@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from derive.vehicle import InputError, load
-from derive.vehicle_check import C_WORDS, check_name
+from derive.vehicle.check import C_WORDS, check_name
 
 
 def refusal(path: Path) -> InputError:
