@@ -36,9 +36,9 @@ Run = Callable[[Array, Array], tuple[Array, Array]]
 
 def backends(name: str, folder: Path) -> dict[str, list[Run]]:
     """By scalar, every emitted form of the law: numpy and C in double, C in float."""
-    root = made.place(made.texts(name, "log"), folder)
+    root = made.place(made.texts(name), folder)
     module = load_module(root / "numpy/made.py")
-    shape = made.group_of(name).shape
+    shape = made.group(name).shape
 
     def numpy(g: Array, nu: Array) -> tuple[Array, Array]:
         command = module.reaching(g=g.reshape(len(g), *shape), nu=nu)

@@ -19,10 +19,10 @@ def measure(_: Path) -> list[Figure]:
     """Every group with its first law, a diagonal inertia and a full one."""
     figures = []
     for name in SUBJECTS:
-        group = made.group_of(name)
+        group = made.group(name)
         law = next(iter(laws_of(group)))
         for inertia, is_full in INERTIAS.items():
-            found = cost(made.derived(name, law, (), is_full).main)
+            found = cost(made.derived(name, law, is_full).main)
             label = f"{name} tracking, {law}, {inertia}"
             aside = f"dim {group.dim}, {found.temporaries} temporaries"
             figures.append(Figure(label, found.operations, "operations", aside=aside))

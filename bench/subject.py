@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -20,38 +19,19 @@ ROUTINES = ("tracking", "reaching", "control", "plant")
 MEASURED = {
     "paper_so3": ROUTINES,
     "paper_s3": ROUTINES,
-    "full_se2": ("tracking",),
-    "full_se3": ("tracking",),
+    "hovercraft": ("tracking",),
+    "freeflyer": ("tracking",),
+    "underwater": ("tracking",),
 }
-"""Vehicle -> the routines whose instructions are counted; full_GROUP has no file."""
+"""Vehicle -> the routines whose instructions are counted: on SO3, S3, SE2, SE3 and SE3."""
 
 ANGLES = (0.0, 1e-12, 1e-8, 1e-4, 1e-2, 0.1, 1.0, 2.0, 3.0, np.pi - 1e-2, np.pi - 1e-6, np.pi)
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (1.0, -2.0, 3.0))
 
 
 def vehicle(name: str) -> Vehicle:
-    """A vehicle of the repository by name, or one with a full inertia on a group."""
-    if name.startswith("full_"):
-        return full(name.removeprefix("full_").upper())
+    """A vehicle of the repository by name."""
     return load(ROOT / "vehicles" / f"{name}.toml")
-
-
-def full(group: str) -> Vehicle:
-    """A vehicle whose inertia has no zero; all its numbers differ from 1."""
-    n = named(group).dim
-    entry = [[Fraction(5 + i) if i == j else Fraction(i + j, 10) for j in range(n)]
-             for i in range(n)]  # fmt: skip
-    return Vehicle(
-        name=f"full_{group.lower()}",
-        group=group,
-        law="log",
-        controller="gsmc",
-        inertia=tuple(map(tuple, entry)),
-        gains=(("lambda", Fraction(1, 2)), ("k_s", Fraction(3, 4))),
-        scalars=("f32", "f64"),
-        targets=("c99", "numpy"),
-        source="made to be measured",
-    )
 
 
 def place(name: str, folder: Path) -> Path:
@@ -93,7 +73,10 @@ ELEMENT = {"SO3": _rotation, "S3": _quaternion, "SE2": _plane_pose, "SE3": _pose
 
 
 def states(group: str) -> Iterator[dict[str, Array]]:
-    """g, nu and a reference at the identity, over the ladder of angles and a handful of axes."""
+    """g, nu and a reference at the identity, over the ladder of angles and a handful of axes.
+
+    What a vehicle has besides, a known force, stays zero.
+    """
     random = np.random.default_rng(1)
     element, n = ELEMENT[group], named(group).dim
     for axis in AXES:

@@ -20,7 +20,7 @@ def test_every_group_is_counted(tmp_path: Path) -> None:
     assert figures["R3 tracking, log, diagonal"].value == 9 * 3
     assert figures["R3 tracking, log, full"].value == 9 * 3 + 2 * 6
     for group, more in (("SE2", 20), ("SE3", 120)):
-        n = made.group_of(group).dim
+        n = made.group(group).dim
         fuller, bare = (figures[f"{group} tracking, log, {one}"] for one in ("full", "diagonal"))
         assert fuller.value > bare.value > 30 * n
         # I nu and I wanted: one product and one sum for each entry off the diagonal; on SE2
