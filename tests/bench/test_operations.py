@@ -9,6 +9,7 @@ import pytest
 
 from bench import made, operations
 from bench.algebra import algebra
+from bench.hand_count import BY_HAND, total
 from bench.subject import ANGLES, AXES, MEASURED, states, vehicle
 from derive.lie.catalogue import GROUPS
 
@@ -27,6 +28,28 @@ def test_every_group_is_counted(tmp_path: Path) -> None:
         # nobody asks for the angular momentum, the first row of I nu.
         assert fuller.value - bare.value == more
         assert f"dim {n}, " in fuller.aside
+
+
+@pytest.mark.parametrize("group", BY_HAND)
+def test_the_emitted_tracking_costs_hardly_more_than_by_hand(group: str, tmp_path: Path) -> None:
+    """Nor less than a count by hand could overlook: the terms stand for the same task."""
+    figures = {one.name: one for one in operations.measure(tmp_path)}
+    ratio = figures[f"{group} tracking, over a count by hand"]
+    assert 1 <= ratio.value <= 1.1
+    assert ratio.limit is not None
+    assert ratio.is_within
+    assert figures[f"{group} tracking, log, full"].value == pytest.approx(
+        ratio.value * total(group)
+    )
+
+
+def test_the_count_by_hand_adds_up() -> None:
+    """Matrix products and cross products in the table, against their own formulas."""
+    by_name = {term.what: term for term in BY_HAND["SE3"]}
+    assert by_name["R_e = R_r' R"].operations == 9 * (3 + 2)
+    assert by_name["I nu"].operations == 6 * (6 + 5)
+    assert by_name["v x p and v x (v x p)"].operations == 2 * 9
+    assert total("SE3") == sum(term.operations for term in BY_HAND["SE3"])
 
 
 @pytest.mark.parametrize("name", MEASURED)
