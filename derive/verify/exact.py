@@ -10,6 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
 from sympy import Expr, Matrix, Rational
@@ -73,12 +74,13 @@ def vanishes(values: list[Expr]) -> bool:
     return all(value == 0 or sympy.simplify(sympy.expand(value)) == 0 for value in values)
 
 
-def general(group: Group, count: int = 4, seed: int = 0) -> list[Point]:
+@cache
+def general(group: Group, count: int = 4, seed: int = 0) -> tuple[Point, ...]:
     """Elements in general position, of small and large angles; none where Cayley's map fails."""
     rng = random.Random(seed)
     scales = [SCALES[i % len(SCALES)] for i in range(count)]
     found = (_cayley(group, scale, rng) for scale in scales)
-    return [Point(g, "") for g in found if g is not None]
+    return tuple(Point(g, "") for g in found if g is not None)
 
 
 def _cayley(group: Group, scale: Rational, rng: random.Random) -> Matrix | None:
@@ -94,8 +96,13 @@ def _cayley(group: Group, scale: Rational, rng: random.Random) -> Matrix | None:
     return Matrix(g) if stays and is_kept else None
 
 
-def turned(group: Group) -> Iterator[Point]:
+@cache
+def turned(group: Group) -> tuple[Point, ...]:
     """Elements one factor of which turns by pi, or by 2 pi where that is not the identity."""
+    return tuple(_turned(group))
+
+
+def _turned(group: Group) -> Iterator[Point]:
     for X in _generators(group):
         square = _rate_squared(X)
         one = X**0

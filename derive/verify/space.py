@@ -20,7 +20,8 @@ Array = NDArray[Any]
 
 HALVINGS, TERMS = 10, 14  # exp: norms below 4 are exact to rounding
 ROOTS, ODD_TERMS = 6, 9  # log
-STEPS = 24  # of the iteration for a square root
+STEPS = 24  # of the iteration for a square root, at most
+SAME = 1e-14  # relative; the iteration doubles the digits that agree
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,17 @@ class Space:
                 found.append((slice(first, first + count), row))
             first, row = first + one.dim, row + one.basis[0].rows
         return found
+
+    @cached_property
+    def whole(self) -> Array | None:
+        """A whole turn of the first factor where it is not the identity, as on S3, (m, m)."""
+        turns = (self.exp(2 * np.pi * np.eye(len(self.basis))[one.start]) for one, _ in self.turns)
+        return next((g for g in turns if np.abs(g - self.one).max() > 1), None)
+
+    @cached_property
+    def reach(self) -> float:
+        """The largest rotation angle: pi, or 2 pi where a whole turn is not the identity."""
+        return float(np.pi if self.whole is None else 2 * np.pi)
 
     def hat(self, x: Array) -> Array:
         """Coordinates to the matrix of the algebra."""
@@ -111,5 +123,8 @@ def _root(g: Array, one: Array) -> Array:
     """Principal square root, by Denman and Beavers."""
     y, z = g, np.broadcast_to(one, g.shape)
     for _ in range(STEPS):
+        last = y
         y, z = (y + np.linalg.inv(z)) / 2, (z + np.linalg.inv(y)) / 2
+        if np.abs(y - last).max() < SAME * np.abs(y).max():
+            break
     return y
