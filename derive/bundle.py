@@ -68,7 +68,7 @@ class Bundle:
         return self._kinematics(g=self._rows(g))["nu_u"]
 
     def clearance(self, g: Array) -> Array:
-        """How far the law is from where it jumps or is not defined, (...): zero there, at most 1."""
+        """Distance from where the law jumps or is not defined, (...): zero there, at most 1."""
         return self._kinematics(g=self._rows(g))["clearance"]
 
     def s(self, h: tuple[Array, Array]) -> Array:

@@ -18,6 +18,7 @@ from derive.emit.literal import nearest
 from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
 from derive.vehicle_check import pivots
+from derive.vehicle_group import group_of
 from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:
@@ -30,11 +31,15 @@ Printed = dict[str, Any]
 
 @dataclass(frozen=True)
 class Written:
-    """What became of one vehicle's folder; is_changed is False when it held the same bytes."""
+    """What became of one vehicle's folder; is_changed is False when it held the same bytes.
+
+    cautions: what its kinematic law leads to, a line each
+    """
 
     folder: Path
     files: int
     is_changed: bool
+    cautions: tuple[str, ...] = ()
 
 
 def cache_folder() -> Path | None:
@@ -49,21 +54,21 @@ def derivations(vehicle: Vehicle) -> Routines:
     """Derive everything a vehicle whose group and law are known is emitted with."""
     from derive.control.controller import routines
     from derive.control.kinematic import laws_of
-    from derive.lie.catalogue import named
 
-    group = named(vehicle.group)
-    return routines(group, laws_of(group)[vehicle.law], vehicle.controller, vehicle.pattern)
+    group = group_of(vehicle)
+    law = laws_of(group)[vehicle.law]
+    return routines(group, law, vehicle.controller, vehicle.pattern, vehicle.options)
 
 
 def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.kinematic import laws_of
     from derive.emit.package import package
-    from derive.lie.catalogue import named
+    from derive.theory import cautions
 
     facts = resolve(vehicle)
     check_facts(vehicle, facts)
-    group = named(vehicle.group)
+    group = group_of(vehicle)
     law = laws_of(group)[vehicle.law]
     parts = derivations(vehicle)
     described = {
@@ -78,7 +83,11 @@ def derived(vehicle: Vehicle) -> Printed:
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
     }
     data = package(vehicle.name, parts.main, parts.public, parts.inner, described)
-    return {"facts": {"dim": facts.dim, "is_rotation": facts.is_rotation}, "targets": data}
+    return {
+        "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
+        "cautions": cautions(vehicle, group),
+        "targets": data,
+    }
 
 
 def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
@@ -86,7 +95,7 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     if cached is None:
         return derived(vehicle)
     parts = (vehicle.name, vehicle.group, vehicle.law, vehicle.controller, vehicle.pattern)
-    name = cache.key(vehicle=parts)
+    name = cache.key(vehicle=parts, own=vehicle.own, options=vehicle.options)
     data: Printed | None = cache.read(cached, name)
     if data is None:
         data = derived(vehicle)
@@ -98,7 +107,11 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
 def texts(vehicle: Vehicle, cached: Path | None = None) -> dict[str, str]:
     """Every file of the vehicle's folder, by path below it."""
     _refuse_lost(vehicle)
-    data = printed(vehicle, cached)["targets"]
+    return _rendered(vehicle, printed(vehicle, cached))
+
+
+def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
+    data = kept["targets"]
     values = _values(vehicle)
     files: dict[str, str] = {}
     used: Printed = {}
@@ -138,10 +151,15 @@ def emit(vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None) -> 
     _refuse_twins(vehicles)
     for vehicle in vehicles:
         place.refuse_strangers(out / vehicle.name)
-    folders = {vehicle.name: texts(vehicle, cached) for vehicle in vehicles}
+        _refuse_lost(vehicle)
+    kept = {vehicle.name: printed(vehicle, cached) for vehicle in vehicles}
+    folders = {vehicle.name: _rendered(vehicle, kept[vehicle.name]) for vehicle in vehicles}
     with place.told(out, "a folder that can be written to"):
         changed = folder.replace(out, folders)
-    return [Written(out / name, len(folders[name]), changed[name]) for name in folders]
+    return [
+        Written(out / name, len(files), changed[name], tuple(kept[name]["cautions"]))
+        for name, files in folders.items()
+    ]
 
 
 def check(

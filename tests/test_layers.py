@@ -27,7 +27,10 @@ LAYER = {
     "derive.starter": "derive.vehicle",
     "derive.cache": "derive.pipeline",
     "derive.folder": "derive.pipeline",
+    "derive.bundle": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
+    "derive.theory": "derive.pipeline",
+    "derive.cli_theory": "derive.cli",
     "derive.terminal": "derive.cli",
     "derive.place": "derive.pipeline",
 }
@@ -35,7 +38,9 @@ LAYER = {
 
 VEHICLE = ("derive.vehicle", *(one for one, layer in LAYER.items() if layer == "derive.vehicle"))
 OWN = {
-    "derive": ("derive.vehicle", "derive.lie", "derive.control", "derive.routine"),
+    "derive": (
+        *("derive.vehicle", "derive.lie", "derive.control", "derive.routine", "derive.bundle"),
+    ),
     "derive.__main__": ("derive.cli",),
     "derive.lie": (),
     "derive.routine": (),
@@ -52,7 +57,9 @@ OWN = {
         *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
         *("derive.verify", "derive.explain", "derive.simulate", *VEHICLE),
     ),
-    "derive.cli": ("derive.pipeline", "derive.explanation", "derive.place", *VEHICLE),
+    "derive.cli": (
+        *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory", *VEHICLE),
+    ),
 }
 """What of ours each layer may import besides itself. A layer that is not here is refused."""
 
@@ -71,7 +78,10 @@ THIRD_PARTY = {
     "derive.routine": ("sympy",),
     "derive.control": ("sympy",),
     "derive.control.table": (),
+    "derive.control.caution": (),
+    "derive.bundle": ("numpy",),
     "derive.emit": ("sympy",),
+    "derive.emit.function": ("sympy", "numpy"),
     "derive.emit.render": ("sympy", "jinja2"),
     "derive.explain": ("sympy",),
     "derive.vehicle": ("numpy",),

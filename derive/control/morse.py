@@ -77,10 +77,7 @@ def heights_of(group: Group) -> dict[str, Morse]:
     """The Morse functions of a group by name; the first is what its laws are judged by."""
     if group.factors:
         return _of_product(group)
-    if group.name in _RECORDS:
-        found = _RECORDS[group.name]
-    else:
-        found = (_SQUARE,) if group.chart else (_OFF,)
+    found = _RECORDS.get(group.name, (_SQUARE,) if group.chart else (_OFF,))
     return {one.name: one for one in found}
 
 
@@ -154,9 +151,7 @@ def _off(let: Let, group: Group, g: Matrix) -> Height:
     """Half the square of the entries of g - 1."""
     element = group.embed(g)
     off = Matrix(list(element - eye(element.rows)))
-    return Height(
-        off.dot(off) / 2, lambda let, nu: off.dot(Matrix(list(element * group.hat(nu))))
-    )
+    return Height(off.dot(off) / 2, lambda let, nu: off.dot(Matrix(list(element * group.hat(nu)))))
 
 
 def _carried(base: Group, profile: Profile) -> Callable[[Let, Group, Matrix], Height]:

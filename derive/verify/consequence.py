@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from derive.verify.definition import Equilibria, Fall, Jump, Verdict
+from derive.verify.verdict import Equilibria, Fall, Jump, Verdict
 
 UNWINDS = "turns q and -q, one attitude, different ways round"
 
@@ -42,8 +42,10 @@ def _without_pole(peers: Sequence[Verdict]) -> str:
 
 
 def _crowded(one: Equilibria) -> str:
-    where = f"every {one.place}" if one.is_every else f"{one.place}, on a set of dimension {one.dimension}"
-    return f"vanishes at {where.replace('every rotations', 'every rotation')}: a vehicle at rest there stays"
+    where = f"{one.place}, on a set of dimension {one.dimension}"
+    if one.is_every:
+        where = f"every {one.place.replace('rotations', 'rotation')}"
+    return f"vanishes at {where}: a vehicle at rest there stays"
 
 
 def _risen(verdict: Verdict) -> Iterator[str]:
@@ -76,7 +78,7 @@ def length(size: float) -> str:
 
 def span(one: Fall) -> str:
     """The angles at which V rises, in words."""
-    low, high = one.rises[0], one.rises[-1]
-    if low > np.pi and low < np.pi + 0.05 and high > 2 * np.pi - 0.05:
+    low, high = min(one.rises, default=0.0), max(one.rises, default=0.0)
+    if np.pi < low < np.pi + 0.05 and high > 2 * np.pi - 0.05:
         return "for q0 < 0"
     return f"at some elements of angle or size {low:.2g} to {high:.2g}"

@@ -21,112 +21,20 @@ from derive.control.law import KinematicLaw
 from derive.emit.function import compiled
 from derive.lie.group import Group
 from derive.verify import cut, exact, rest, slope
+from derive.verify.cloud import cloud, span
 from derive.verify.factor import claimed
 from derive.verify.place import named, numbers, where
 from derive.verify.space import Space
+from derive.verify.verdict import Equilibria, Fall, Jump, Oddness, Verdict
 
 Array = NDArray[Any]
 
 CURVES, STARTS, SAMPLES = 12, 60, 400
-MARGIN = 0.02  # rad: how near to a cut, or to the end, V is differentiated
-SMALLEST = 0.02  # rad, or length of coordinates
-LONGEST = 4.0  # of coordinates on groups that do not turn
-SHIFTS = (0.1, 1.0, 8.0)
 ODD = 1e-8  # what is left of nu_u(g) + nu_u(g^-1), relative, over the distance from a cut
 FLAT = 1e-7  # of y: beyond, V falls
 AT_REST = 1e-6  # |nu_u| at an equilibrium
 FITS = 1e-6  # a stated y, relative to 1 + |y|
 AT_CUT = 1e-4  # clearance where a law jumps
-
-
-@dataclass(frozen=True)
-class Oddness:
-    """Property (ii): exact elements tried, places where it fails or the law is not defined."""
-
-    tried: int
-    is_exact: bool
-    fails: tuple[str, ...]
-    undefined: tuple[str, ...]
-    example: str = ""
-
-
-@dataclass(frozen=True)
-class Jump:
-    """A cut: its place, the largest jump of nu_u there, and whether the rate has no bound."""
-
-    place: str
-    size: float
-    is_steep: bool
-
-
-@dataclass(frozen=True)
-class Equilibria:
-    """A set on which nu_u vanishes: its place, its dimension, and whether it repels.
-
-    is_every: nu_u vanishes on every element that turns by that angle
-    """
-
-    place: str
-    dimension: int
-    repels: bool
-    is_every: bool
-    example: str
-
-
-@dataclass(frozen=True)
-class Fall:
-    """Properties (iii) and (iv) for one V.
-
-    rises:      span of angles, in rad, of the samples where V does not fall; empty where it does
-    low, high:  of y, on the samples, or of the stated y where it fits
-    factor:     the stated y, empty where nothing is stated
-    misfit:     between measured and stated y, relative to 1 + |y|
-    """
-
-    morse: str
-    rises: tuple[float, float] | tuple[()]
-    low: float
-    high: float
-    factor: str
-    misfit: float
-    samples: int
-    example: str = ""
-
-    @property
-    def holds(self) -> bool:
-        """Whether V falls wherever the law is defined and not zero."""
-        return not self.rises
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """All that was found of one law on one group; see the classes above."""
-
-    group: str
-    law: str
-    doc: str
-    is_zero_at_e: bool
-    odd: Oddness
-    jumps: tuple[Jump, ...]
-    rests: tuple[Equilibria, ...]
-    falls: tuple[Fall, ...]
-    unwinds: bool
-    contradictions: tuple[str, ...]
-
-    @property
-    def poles(self) -> tuple[Jump, ...]:
-        """Cuts on the way to which the law or its rate has no bound."""
-        return tuple(one for one in self.jumps if one.is_steep or np.isinf(one.size))
-
-    @property
-    def crowds(self) -> tuple[Equilibria, ...]:
-        """Equilibria that are not isolated, against the Definition."""
-        return tuple(one for one in self.rests if one.dimension)
-
-    @property
-    def rises(self) -> bool:
-        """Whether V fails to fall for every V that was tried."""
-        return bool(self.falls) and not any(one.holds for one in self.falls)
 
 
 def judge(group: Group, law: KinematicLaw, seed: int = 0) -> Verdict:
@@ -193,8 +101,10 @@ class _Trial:
             back = self._exactly(point.g.inv())["nu_u"]
             total = [a + b for a, b in zip(there["nu_u"], back, strict=True)]
             if not exact.vanishes(total) and place not in fails:
-                fails[place] = f"g = {numbers(self.group.store(point.g))} has nu_u = " \
+                fails[place] = (
+                    f"g = {numbers(self.group.store(point.g))} has nu_u = "
                     f"{numbers(there['nu_u'])}, and g^-1 has {numbers(back)}"
+                )
         g, _ = self._cloud()
         worst = self._odd_on(g)
         if worst:
@@ -211,8 +121,10 @@ class _Trial:
         if not len(bad):
             return ""
         i = bad[np.argmax(off[bad])]
-        return f"g = {numbers(self.space.store(g[i]))} has nu_u = {numbers(there[i])}, and g^-1 " \
+        return (
+            f"g = {numbers(self.space.store(g[i]))} has nu_u = {numbers(there[i])}, and g^-1 "
             f"has {numbers(back[i])}"
+        )
 
     @cached_property
     def _crossings(self) -> list[cut.Cut]:
@@ -269,15 +181,17 @@ class _Trial:
         example = ""
         if len(bad):
             i = bad[np.argmin(y[bad])]
-            example = f"V'/V = {-y[i]:.4g} at g = {numbers(self.space.store(g[i]))}, " \
+            example = (
+                f"V'/V = {-y[i]:.4g} at g = {numbers(self.space.store(g[i]))}, "
                 f"nu_u = {numbers(nu[i])}"
+            )
         low, high, text, misfit = float(y.min()), float(y.max()), "", 0.0
         stated = claimed(self.group.name, self.law.name, name)
         if stated:
             expected = stated.of_angle(angle)
             text, misfit = stated.text, float((np.abs(y - expected) / (1 + np.abs(y))).max())
             if misfit <= FITS:
-                low, high = _span(stated.of_angle, self.space.reach)
+                low, high = span(stated.of_angle, self.space.reach)
         return Fall(name, rises, low, high, text, misfit, len(g), example)
 
     def _unwinds(self) -> bool:
@@ -302,28 +216,3 @@ class _Trial:
         found += [f"y = {one.factor} for {one.morse} is off by {one.misfit:.3g}"
                   for one in falls if not one.misfit <= FITS]  # fmt: skip
         return found
-
-
-def cloud(
-    space: Space, count: int, rng: np.random.Generator, only: float | None = None
-) -> tuple[Array, Array]:
-    """Elements (count, m, m) with angles from nearly 0 to nearly the largest, and the angles.
-
-    only: the one angle that all have. Where several factors turn, the first has the angle that is told; where none does, it is the
-    length of the coordinates.
-    """
-    x = rng.normal(size=(count, len(space.basis))) * rng.choice(SHIFTS, (count, 1))
-    reach = space.reach - MARGIN if space.turns else LONGEST
-    angle = np.linspace(only or SMALLEST, only or reach, count)
-    if not space.turns:
-        return space.exp(x * (angle / np.linalg.norm(x, axis=1))[:, None]), angle
-    for order, (place, _) in enumerate(space.turns):
-        wanted = angle if not order else rng.uniform(SMALLEST, np.pi - MARGIN, count)
-        x[:, place] *= (wanted / np.linalg.norm(x[:, place], axis=1))[:, None]
-    return space.exp(x), angle
-
-
-def _span(function: Callable[[Array], Array], end: float) -> tuple[float, float]:
-    """Infimum and supremum of a stated y between 0 and the largest angle."""
-    y = function(np.linspace(1e-7, end - 1e-7, 20_001))
-    return float(y.min()), float(y.max())

@@ -16,7 +16,7 @@ import sympy
 from sympy import Expr, Matrix, Rational
 
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY, Arc, H, K
+from derive.lie.kernel import SMALL, TINY, Arc, K
 from derive.routine.derivation import Derivation
 
 AXES = ((1, 0, 0), (0, 1, 0), (Rational(3, 5), Rational(-4, 5), 0),
@@ -125,7 +125,7 @@ def _generators(group: Group) -> Iterator[Matrix]:
                 x = [sympy.S.Zero] * group.dim
                 x[first : first + factor.dim] = [*turn, *moves]
                 X = group.hat(Matrix(x))
-                if X**3 == -_rate_squared(X) * X and any(X):
+                if -_rate_squared(X) * X == X**3 and any(X):
                     yield X
         first += factor.dim
 

@@ -15,6 +15,7 @@ Array = NDArray[Any]
 
 NEAR = 1e-3  # rad: angles that are told as multiples of pi
 SINGULAR = 1e-6
+DUST = 1e-12  # told as 0
 TURNS = {("S3", 1): "q0 = 0", ("S3", 2): "-i"}
 """(factor, angle over pi) -> the place; elsewhere rotations by pi."""
 
@@ -49,6 +50,7 @@ def numbers(values: Iterable[Any]) -> str:
 
 
 def _number(value: Any) -> str:
-    if isinstance(value, float | np.floating):
-        return f"{float(value) if abs(value) > 1e-12 else 0.0:.4g}"
-    return str(value) if getattr(value, "is_Rational", False) else f"{float(value.evalf()):.4g}"
+    if getattr(value, "is_Rational", False):
+        return str(value)
+    size = float(value)
+    return f"{size if abs(size) > DUST else 0.0:.4g}"

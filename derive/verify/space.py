@@ -45,7 +45,7 @@ class Space:
         """Row and column of the matrix that each stored number is."""
         m = len(self.one)
         kept = self.group.store(MatrixSymbol("g", m, m).as_explicit())
-        return np.array([(int(x.i), int(x.j)) for x in kept]).T  # type: ignore[return-value]
+        return np.array([int(x.i) for x in kept]), np.array([int(x.j) for x in kept])
 
     @cached_property
     def turns(self) -> list[tuple[slice, int]]:
@@ -71,7 +71,7 @@ class Space:
 
     def hat(self, x: Array) -> Array:
         """Coordinates to the matrix of the algebra."""
-        return np.einsum("...i,ijk->...jk", x, self.basis)
+        return np.asarray(np.einsum("...i,ijk->...jk", x, self.basis))
 
     def exp(self, x: Array) -> Array:
         """Of hat(x), by scaling and squaring."""
