@@ -57,7 +57,7 @@ def cautions(vehicle: Vehicle, group: Group) -> list[str]:
         found = list(caution.cautions(group, vehicle.law, laws_of(group)))
         asked = f"derive laws --group {_quoted(group.name)}"
     else:
-        found, asked = _judged(group, vehicle.law), f"derive laws {vehicle.source}"
+        found, asked = _judged(group, vehicle.law), "derive laws with this file"
     told = [f"law {vehicle.law} on {group.name} {one}; see {asked}" for one in found]
     return told + (_unguarded(group) if vehicle.own else [])
 
@@ -70,7 +70,7 @@ def _judged(group: Group, law: str) -> list[str]:
 
     verdicts = report([group]).verdicts
     found = of_verdict(next(one for one in verdicts if one.law == law), verdicts)
-    if law == "skew" and not keeps_odd_powers(group):
+    if not found and law == "skew" and not keeps_odd_powers(group):
         found.append("is g - g^-1 only as far as the algebra reaches, which odd powers leave: that "
                      "V falls is shown near the identity alone")  # fmt: skip
     return found

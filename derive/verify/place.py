@@ -32,7 +32,7 @@ def named(space: Space, g: Array, angles: Array) -> str:
     if found:
         return " and ".join(found)
     if abs(np.linalg.det(g + space.one)) < SINGULAR:
-        return "det(g + 1) = 0"
+        return "elements with det(g + 1) = 0"
     return f"angle {angles[0]:.3g}" if len(angles) else f"g = {numbers(space.store(g))}"
 
 
