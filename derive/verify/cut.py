@@ -75,10 +75,11 @@ def _crossing(space: Space, law: Law, x: Array, low: float, high: float) -> Cut 
             low = middle
     ends = law(space.exp(np.array([low, high])[:, None] * x))
     size = float(_size(ends[1] - ends[0]))
-    if not size > SHARP:
+    if size <= SHARP:
         return None
     g = space.exp((low + high) / 2 * x)
-    size = np.inf if size > UNBOUNDED else float(_size(_turning(space, ends[1] - ends[0])))
+    is_bounded = size <= UNBOUNDED  # what is not a number is not
+    size = float(_size(_turning(space, ends[1] - ends[0]))) if is_bounded else np.inf
     return Cut(g, space.angles(g), size, _is_steep(space, law, x, low))
 
 
