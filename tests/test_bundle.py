@@ -92,7 +92,9 @@ def test_the_product_is_that_of_matrices(name: str, law: str, group: Group | Non
 def test_the_law_is_the_truth(group: str, law: str, angle: float) -> None:
     space = Space(bundle.make(group).group)
     stored = space.store(space.exp(angle * np.array([0.6, 0.0, -0.8])))
-    wanted = np.array(truth.law(group, law, truth.error(group, truth.IDENTITY[group], stored)))
+    wanted = np.array(
+        truth.law(group, law, truth.error(group, truth.IDENTITY[group], list(stored)))
+    )
     found = bundle.make(group, law).law(stored.reshape(space.group.shape))
     scale = max(np.abs(wanted.astype(float)).max(), 1e-300)
     np.testing.assert_allclose(found / scale, wanted.astype(float) / scale, rtol=0, atol=LIMIT)

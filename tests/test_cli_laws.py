@@ -49,7 +49,8 @@ def test_a_group_is_judged_by_name(tmp_path: Path) -> None:
     assert result.stdout.endswith("3 laws, 0 contradictions\n")
     assert "SO2 skew, vee(g - g^-1)/2: vanishes at rotations by pi, an isolated" in result.stdout
     report = json.loads((tmp_path / "report.json").read_text())
-    assert report["ok"] and [one["law"] for one in report["laws"]] == ["log", "skew", "cayley"]
+    assert report["ok"]
+    assert [one["law"] for one in report["laws"]] == ["log", "skew", "cayley"]
     assert report["laws"][2]["jumps"][0]["size"] is None
     assert report["laws"][2]["cautions"][0].startswith("has no bound towards rotations by pi")
 
@@ -57,7 +58,8 @@ def test_a_group_is_judged_by_name(tmp_path: Path) -> None:
 def test_a_vehicle_has_its_law_marked(tmp_path: Path) -> None:
     result = derive(tmp_path, "laws", vehicle(tmp_path, "one", "S3", "vec"))
     assert result.returncode == 0
-    assert "*vec" in result.stdout and "*log" not in result.stdout
+    assert "*vec" in result.stdout
+    assert "*log" not in result.stdout
     assert "6 laws, 0 contradictions" in result.stdout
 
 

@@ -1,5 +1,7 @@
 """Derivations run as numpy: batches, choices, kernels, and what is refused."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from sympy import Abs, Piecewise
@@ -60,6 +62,8 @@ def test_the_text_is_what_runs() -> None:
         ({"x": np.zeros((2, 2)), "a": np.zeros(3)}, ValueError, "broadcast"),
     ],
 )
-def test_what_does_not_fit_is_refused(given: dict, fault: type[Exception], told: str) -> None:
+def test_what_does_not_fit_is_refused(
+    given: dict[str, Any], fault: type[Exception], told: str
+) -> None:
     with pytest.raises(fault, match=told):
         made()(**given)

@@ -69,7 +69,8 @@ def test_the_table_comes_out(group: str, law: str) -> None:
     assert stated is not None
     phi = np.linspace(0.01, (np.pi if group == "SO3" else 2 * np.pi) - 0.01, 301)
     np.testing.assert_allclose(stated.of_angle(phi), y(phi / 2), rtol=1e-9, atol=1e-12)
-    assert first.misfit < 1e-6 and first.factor == stated.text
+    assert first.misfit < 1e-6
+    assert first.factor == stated.text
     assert first.samples > 300
 
 
@@ -101,7 +102,8 @@ def test_v_square_of_log_falls_by_two_on_every_group() -> None:
     for group in GROUPS:
         one = next(f for f in verdict(group, "log").falls if f.morse == "|log|^2/2")
         assert (one.low, one.high) == pytest.approx((2, 2))
-        assert one.factor == "2" and one.misfit < 1e-6
+        assert one.factor == "2"
+        assert one.misfit < 1e-6
 
 
 FACTORS = [
@@ -143,7 +145,8 @@ def test_a_product_is_warned_of_where_it_fails(name: str) -> None:
         found = consequence.cautions(one, verdicts)
         stated = cautions(group, one.law, laws_of(group))
         if name == "SO3 x S3":  # where no law is free of poles, that of one factor is told
-            assert bool(stated) == (one.law == "cayley") and not found
+            assert bool(stated) == (one.law == "cayley")
+            assert not found
         else:
             assert [told.endswith(f" (factor 1, {name[:-5]})") for told in stated] == [
                 True for _ in found
@@ -213,7 +216,8 @@ def test_weighted_traces_are_not_odd() -> None:
 
 def test_a_law_that_leads_away() -> None:
     found = judge(GROUPS["SO3"], _value(lambda R: -_odd_part(R)))
-    assert found.rises and found.falls[0].high < 0
+    assert found.rises
+    assert found.falls[0].high < 0
     assert "rise" in consequence.cautions(found, [found])[-1]
 
 
@@ -222,6 +226,10 @@ def test_groups_of_ones_own() -> None:
     place = "elements with det(g + 1) = 0"
     assert [(one.place, one.dimension, one.repels) for one in skew.rests] == [(place, 0, True)]
     assert [(one.place, one.size) for one in cayley.jumps] == [(place, INF)]
-    assert skew.odd.is_exact and not skew.odd.fails
+    assert skew.odd.is_exact
+    assert not skew.odd.fails
     log = judge(HEISENBERG, laws_of(HEISENBERG)["log"])
-    assert not (log.jumps or log.rests or log.odd.fails or log.rises)
+    assert not (log.jumps)
+    assert not (log.rests)
+    assert not (log.odd.fails)
+    assert not (log.rises)

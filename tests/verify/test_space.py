@@ -1,5 +1,7 @@
 """The oracles of the Definition: numpy groups, exact elements, cuts and equilibria."""
 
+from typing import Any
+
 import mpmath
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from sympy import Matrix, Rational, Symbol
 from derive.control import tangent
 from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS, named
+from derive.lie.group import Group
 from derive.verify import cut, exact, rest, slope
 from derive.verify.cloud import cloud
 from derive.verify.place import named as place_of
@@ -21,7 +24,7 @@ each = pytest.mark.parametrize("group", EVERY, ids=[group.name for group in EVER
 
 
 @each
-def test_exp_and_log_are_those_of_matrices(group) -> None:
+def test_exp_and_log_are_those_of_matrices(group: Group) -> None:
     space = Space(group)
     x = np.random.default_rng(0).normal(size=group.dim)
     wanted = mpmath.expm(mpmath.matrix(space.hat(x).tolist()))
@@ -33,7 +36,7 @@ def test_exp_and_log_are_those_of_matrices(group) -> None:
 
 
 @each
-def test_what_is_stored_is_what_the_group_reads(group) -> None:
+def test_what_is_stored_is_what_the_group_reads(group: Group) -> None:
     space = Space(group)
     g = space.exp(np.random.default_rng(1).normal(size=group.dim))
     back = group.embed(Matrix([sympy.Float(x, 30) for x in space.store(g)]))
@@ -48,7 +51,7 @@ def test_angles(angle: float) -> None:
     both = Space(named("SO3 x R3 x SO3"))
     found = both.angles(both.exp(np.array([*x, 1, 2, 3, 0.1, 0, 0])))
     assert found == pytest.approx([folded, 0.1], abs=1e-9)
-    assert Space(GROUPS["SE3"]).angles(Space(GROUPS["SE3"]).exp([*x, 5, 6, 7])) == (
+    assert Space(GROUPS["SE3"]).angles(Space(GROUPS["SE3"]).exp(np.array([*x, 5, 6, 7]))) == (
         pytest.approx([folded], abs=1e-9)
     )
 
@@ -56,11 +59,13 @@ def test_angles(angle: float) -> None:
 def test_a_whole_turn_is_the_identity_but_on_s3() -> None:
     assert [name for name, group in GROUPS.items() if Space(group).whole is not None] == ["S3"]
     assert Space(GROUPS["S3"]).reach == 2 * np.pi
-    np.testing.assert_allclose(Space(GROUPS["S3"]).whole, -np.eye(4), atol=1e-14)
+    whole = Space(GROUPS["S3"]).whole
+    assert whole is not None
+    np.testing.assert_allclose(whole, -np.eye(4), atol=1e-14)
 
 
 @each
-def test_exact_elements_are_on_the_group(group) -> None:
+def test_exact_elements_are_on_the_group(group: Group) -> None:
     points = [*exact.general(group), *exact.turned(group)]
     assert len(exact.general(group)) >= 3
     for point in points:
@@ -93,7 +98,7 @@ def test_exact_outputs_are_exact() -> None:
 def test_a_jump_is_found_where_it_is_and_its_size() -> None:
     space = Space(GROUPS["SO3"])
 
-    def law(g):
+    def law(g: Any) -> Any:
         x = space.store(g)[..., [7, 2, 3]]
         return np.where(x[..., :1] > 0.123, x + 0.5, x)
 
