@@ -133,6 +133,13 @@ def test_heights_are_numbers_too() -> None:
     assert b.heights["Psi"].rate(turn, [1.0, 0, 0]) == pytest.approx(1.0)
 
 
+def test_membership_of_h_has_the_tolerance_it_is_given() -> None:
+    b = bundle.make("SO3", "log")
+    g, nu = b.above(np.eye(3)[[1, 2, 0]])
+    near = (g, nu + np.array([0.0, 2e-3, 0.0]))
+    assert [bool(b.is_sliding(near, tolerance)) for tolerance in (1e-3, 3e-3)] == [False, True]
+
+
 def test_clearance_is_zero_at_the_cut() -> None:
     assert bundle.make("SO3", "log").clearance(np.diag([1.0, -1, -1])) == pytest.approx(0)
     assert bundle.make("SO3", "skew").clearance(np.diag([1.0, -1, -1])) == 1
