@@ -24,7 +24,7 @@ from derive.emit.function import Function, compiled
 from derive.lie.catalogue import named
 from derive.lie.group import Group
 from derive.vehicle import Vehicle, load, resolve
-from derive.vehicle_group import group_of
+from derive.vehicle.group import group_of
 
 Array = Any  # a numpy array, or what np.asarray makes one of
 

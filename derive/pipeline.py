@@ -17,8 +17,8 @@ from derive.emit.drift import Drift, compare
 from derive.emit.literal import nearest
 from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
-from derive.vehicle_check import pivots
-from derive.vehicle_group import group_of
+from derive.vehicle.check import pivots
+from derive.vehicle.group import group_of
 from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:
@@ -94,8 +94,8 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     """Printed data of a vehicle, from the cache folder when it is there; None for no cache."""
     if cached is None:
         return derived(vehicle)
-    parts = (vehicle.name, vehicle.group, vehicle.law, vehicle.controller, vehicle.pattern)
-    name = cache.key(vehicle=parts, own=vehicle.own, options=vehicle.options)
+    kept = ("name", "group", "own", "law", "controller", "pattern", "options")
+    name = cache.key(vehicle=[getattr(vehicle, field) for field in kept])
     data: Printed | None = cache.read(cached, name)
     if data is None:
         data = derived(vehicle)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from derive.vehicle import InputError, Vehicle, resolve
-from derive.vehicle_group import group_of
+from derive.vehicle.group import group_of
 
 if TYPE_CHECKING:
     from derive.lie.group import Group
@@ -29,8 +29,8 @@ def laws(vehicle: Vehicle | None, group: str | None, progress: Callable[[str], N
 
 def _known(name: str) -> Group:
     """A group by the name that an option gives."""
-    from derive.vehicle_group import made, normal
-    from derive.vehicle_lookup import look_up
+    from derive.vehicle.group import made, normal
+    from derive.vehicle.lookup import look_up
 
     try:
         look_up("--group", normal(name))

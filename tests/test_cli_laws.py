@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from derive import cli, theory
-from derive.starter import starter
+from derive.vehicle.starter import starter
 from tests.command import ROOT, derive, refused
 from tests.verdicts import catalogue, verdict
 
