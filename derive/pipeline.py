@@ -31,11 +31,15 @@ Printed = dict[str, Any]
 
 @dataclass(frozen=True)
 class Written:
-    """What became of one vehicle's folder; is_changed is False when it held the same bytes."""
+    """What became of one vehicle's folder; is_changed is False when it held the same bytes.
+
+    cautions: what its kinematic law leads to, a line each
+    """
 
     folder: Path
     files: int
     is_changed: bool
+    cautions: tuple[str, ...] = ()
 
 
 def cache_folder() -> Path | None:
@@ -60,6 +64,7 @@ def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.kinematic import laws_of
     from derive.emit.package import package
+    from derive.theory import cautions
 
     facts = resolve(vehicle)
     check_facts(vehicle, facts)
@@ -78,7 +83,11 @@ def derived(vehicle: Vehicle) -> Printed:
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
     }
     data = package(vehicle.name, parts.main, parts.public, parts.inner, described)
-    return {"facts": {"dim": facts.dim, "is_rotation": facts.is_rotation}, "targets": data}
+    return {
+        "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
+        "cautions": cautions(vehicle, group),
+        "targets": data,
+    }
 
 
 def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
@@ -98,7 +107,11 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
 def texts(vehicle: Vehicle, cached: Path | None = None) -> dict[str, str]:
     """Every file of the vehicle's folder, by path below it."""
     _refuse_lost(vehicle)
-    data = printed(vehicle, cached)["targets"]
+    return _rendered(vehicle, printed(vehicle, cached))
+
+
+def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
+    data = kept["targets"]
     values = _values(vehicle)
     files: dict[str, str] = {}
     used: Printed = {}
@@ -138,10 +151,15 @@ def emit(vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None) -> 
     _refuse_twins(vehicles)
     for vehicle in vehicles:
         place.refuse_strangers(out / vehicle.name)
-    folders = {vehicle.name: texts(vehicle, cached) for vehicle in vehicles}
+        _refuse_lost(vehicle)
+    kept = {vehicle.name: printed(vehicle, cached) for vehicle in vehicles}
+    folders = {vehicle.name: _rendered(vehicle, kept[vehicle.name]) for vehicle in vehicles}
     with place.told(out, "a folder that can be written to"):
         changed = folder.replace(out, folders)
-    return [Written(out / name, len(folders[name]), changed[name]) for name in folders]
+    return [
+        Written(out / name, len(files), changed[name], tuple(kept[name]["cautions"]))
+        for name, files in folders.items()
+    ]
 
 
 def check(
