@@ -9,40 +9,38 @@ from fractions import Fraction
 from pathlib import Path
 
 from derive.control.table import CONTROLLERS
+from derive.vehicle_body import assembled, has_added_mass
 from derive.vehicle_check import (
+    Matrix,
     check_name,
     check_positive_definite,
     check_symmetric,
     check_triangle,
 )
-from derive.vehicle_text import InputError, Table, close, described, quoted, read, shown
+from derive.vehicle_group import OwnGroup, law_of, spelled
+from derive.vehicle_key import EMIT_KEYS, HOMES, OPTION_KEYS, TOP_KEYS
+from derive.vehicle_lookup import Facts, check_law, look_up
+from derive.vehicle_number import matrix, positive, square
+from derive.vehicle_rigid import check_rigid
+from derive.vehicle_text import InputError, Table, described, read
 
 __all__ = [
-    "CONTROLLERS", "Facts", "InputError", "Vehicle", "check_facts", "load", "resolve",
+    "CONTROLLERS", "Facts", "InputError", "OwnGroup", "Vehicle", "check_facts", "load", "resolve",
 ]  # fmt: skip
 
 SCHEMA = 1
 SCALARS = ("f32", "f64")
 TARGETS = ("c99", "numpy")
+OPTIONS = ("external", "momentum")
 DEFAULT_LAW = "log"
 DEFAULT_CONTROLLER = "gsmc"
 
-TOP_KEYS = ("schema", "name", "group", "law", "controller", "inertia", "gains", "emit")
-EMIT_KEYS = ("scalars", "targets")
-
-SMALLEST = Fraction(1, 10**30)  # below it, a number that is not 0 would vanish in a float
 LARGEST_GAIN = Fraction(10**6)
-LARGEST_ENTRY = Fraction(10**9)
-LARGEST_DIMENSION = 24  # rows of an inertia; SE(2,3) has 9
 
-# Where a key belongs that stands in another table; TOML puts every key below [gains] into it.
-_HOMES = {
-    **dict.fromkeys(TOP_KEYS, "to the top of the file, above the first [table]"),
-    **{gain: "below [gains]" for gains in CONTROLLERS.values() for gain in gains},
-    **dict.fromkeys(EMIT_KEYS, "below [emit]"),
-}
-
-DIAGONAL = "write [[J1, 0, 0], [0, J2, 0], [0, 0, J3]] for a diagonal inertia"
+DIAGONAL = (
+    "write [[J1, 0, 0], [0, J2, 0], [0, 0, J3]] for a diagonal inertia, or a [body] table with "
+    "mass, center and moments in its place"
+)
 
 
 @dataclass(frozen=True)
@@ -51,6 +49,10 @@ class Vehicle:
 
     Inertia in kg m^2, and in kg m and kg where the group translates. Gains are in the order of
     their controller in CONTROLLERS, in 1/s.
+
+    own:         the group, where the file describes it; `group` is then its name
+    options:     those of OPTIONS that are asked for, sorted
+    is_in_fluid: a fluid has a part in the inertia, which then need not be a rigid body's
     """
 
     name: str
@@ -62,6 +64,9 @@ class Vehicle:
     scalars: tuple[str, ...]
     targets: tuple[str, ...]
     source: str = field(compare=False)
+    own: OwnGroup | None = None
+    options: tuple[str, ...] = ()
+    is_in_fluid: bool = False
 
     @property
     def pattern(self) -> tuple[bool, ...]:
@@ -70,35 +75,33 @@ class Vehicle:
         return tuple(self.inertia[i][j] != 0 for i in range(n) for j in range(i, n))
 
 
-@dataclass(frozen=True)
-class Facts:
-    """What must be known of a group to judge an inertia: its dimension n, and if it rotates."""
-
-    dim: int
-    is_rotation: bool
-
-
 def load(path: Path) -> Vehicle:
     """The vehicle a file describes; raises InputError. Says nothing on group and law: resolve."""
     top = read(path)
-    top.only(TOP_KEYS, _HOMES)
+    top.only(TOP_KEYS, HOMES)
     _check_schema(top)
     controller = top.choice("controller", tuple(CONTROLLERS), DEFAULT_CONTROLLER)
     gains, emit = top.table("gains"), top.table("emit")
-    gains.only(CONTROLLERS[controller], _HOMES)
-    emit.only(EMIT_KEYS, _HOMES)
+    gains.only(CONTROLLERS[controller], HOMES)
+    emit.only(EMIT_KEYS, HOMES)
     name = top.word("name", 'a name for the vehicle, such as "cubesat"')
     check_name(top.file, name)
+    group, own = spelled(top)
+    options = _options(top)
+    inertia, is_in_fluid = _inertia(top, group, own, "added_mass" in options)
     return Vehicle(
         name=name,
-        group=top.word("group", 'the name of a group, such as "SO3"'),
-        law=top.word("law", 'the name of a kinematic law, such as "log"', DEFAULT_LAW),
+        group=group,
+        law=law_of(top, DEFAULT_LAW),
         controller=controller,
-        inertia=_inertia(top),
+        inertia=inertia,
         gains=tuple((gain, _gain(gains, gain)) for gain in CONTROLLERS[controller]),
         scalars=emit.choices("scalars", SCALARS),
         targets=emit.choices("targets", TARGETS),
         source=str(path),
+        own=own,
+        options=tuple(option for option in OPTIONS if option in options),
+        is_in_fluid=is_in_fluid,
     )
 
 
@@ -109,60 +112,19 @@ def check_facts(vehicle: Vehicle, facts: Facts) -> None:
         raise InputError(
             vehicle.source,
             "inertia",
-            f"{_square(facts.dim)}: {vehicle.group} has dimension {facts.dim}",
-            _square(n),
+            f"{square(facts.dim)}: {vehicle.group} has dimension {facts.dim}",
+            square(n),
             "give an inertia of that size, or change the group",
         )
-    if facts.is_rotation and facts.dim == 3:  # the moments of a body in space
-        check_triangle(vehicle.source, vehicle.inertia)
+    if facts.is_rotation and facts.dim == 3 and not vehicle.is_in_fluid:
+        check_triangle(vehicle.source, vehicle.inertia)  # the moments of a body in space
 
 
 def resolve(vehicle: Vehicle) -> Facts:
     """Look up group and law, whose modules are imported only here; raises InputError."""
-    facts = look_up(vehicle.source, vehicle.group)
-    check_law(vehicle.source, vehicle.group, vehicle.law)
+    facts = look_up(vehicle.source, vehicle.group, vehicle.own)
+    check_law(vehicle.source, vehicle.group, vehicle.law, vehicle.own)
     return facts
-
-
-def check_law(file: str, group: str, law: str) -> None:
-    """Raise InputError unless the law exists on that group, which is known."""
-    from derive.control.kinematic import LAWS
-
-    there = laws_on(group)
-    if law not in there:
-        expected, found, remedy = _unknown("law", law, there)
-        elsewhere = [other for other, name in LAWS if name == law]
-        if elsewhere:
-            found = f"{quoted(law)}, which exists only on {', '.join(elsewhere)}"
-        raise InputError(file, "law", f"{expected} (the laws that exist on {group})", found, remedy)
-
-
-def look_up(file: str, group: str) -> Facts:
-    """The facts of a group or a product; raises InputError for a factor nobody knows."""
-    from derive.lie.catalogue import GROUPS, named
-
-    for factor in group.split(" x "):
-        if factor.strip() not in GROUPS:
-            known = (*GROUPS, "and products of them such as SO3 x R3")
-            _, told, remedy = _unknown("group", factor.strip(), tuple(GROUPS))
-            raise InputError(file, "group", f"one of {', '.join(known)}", told, remedy)
-    found = named(group)
-    return Facts(dim=found.dim, is_rotation=found.is_rotation)
-
-
-def laws_on(group: str) -> tuple[str, ...]:
-    """Names of the kinematic laws that exist on a group."""
-    from derive.control.kinematic import laws_of
-    from derive.lie.catalogue import named
-
-    return tuple(laws_of(named(group)))
-
-
-def _unknown(key: str, word: str, known: tuple[str, ...]) -> tuple[str, str, str]:
-    """Expected, found and remedy for a word that is not known."""
-    meant = close(word, known)
-    remedy = f'write {key} = "{meant}", the nearest' if meant else f"choose a {key} of that list"
-    return f"one of {', '.join(known)}", described(word), remedy
 
 
 def _check_schema(top: Table) -> None:
@@ -173,57 +135,35 @@ def _check_schema(top: Table) -> None:
         raise top.fault("schema", f"the number {SCHEMA}", described(schema), remedy)
 
 
-def _inertia(top: Table) -> tuple[tuple[Fraction, ...], ...]:
-    """The inertia, (n, n): exact, symmetric and positive definite."""
-    rows = top.require("inertia", "an array of rows", DIAGONAL)
-    if not isinstance(rows, list) or not rows or not isinstance(rows[0], list):
-        raise top.fault("inertia", "an array of rows, each an array", described(rows), DIAGONAL)
-    n = len(rows)
-    if n > LARGEST_DIMENSION:
-        most = f"at most {LARGEST_DIMENSION} rows"
-        raise top.fault("inertia", most, f"{n} rows", "give the inertia of one vehicle")
-    inertia = tuple(_row(top, number, row, n) for number, row in enumerate(rows, start=1))
-    check_symmetric(top.file, inertia)
-    check_positive_definite(top.file, inertia)
-    return inertia
+def _options(top: Table) -> set[str]:
+    """The options that are asked for."""
+    options = top.table("options")
+    options.only(OPTION_KEYS, HOMES)
+    for key, value in options.values.items():
+        if not isinstance(value, bool):
+            remedy = f"write {key} = true, or leave it out for false"
+            raise options.fault(key, "true or false, without quotes", described(value), remedy)
+    return {key for key, value in options.values.items() if value}
 
 
-def _row(top: Table, number: int, row: object, n: int) -> tuple[Fraction, ...]:
-    """One row of the inertia: n numbers of moderate size."""
-    where = f"inertia, row {number}"
-    if not isinstance(row, list) or len(row) != n:
-        expected = f"an array of {n} numbers, as there are {n} rows"
-        raise top.fault(where, expected, described(row), f"make the matrix {_square(n)}")
-    expected = f"a number of at most {shown(LARGEST_ENTRY)} in absolute value, 0 or above 1e-30"
-    entries = []
-    for column, given in enumerate(row, start=1):
-        value = _number(given)
-        if value is None or (value and not SMALLEST <= abs(value) <= LARGEST_ENTRY):
-            remedy = "write a decimal number in kg m^2, without quotes"
-            if value is not None and abs(value) < SMALLEST and column != number:
-                remedy = "write 0: a coupling that small is none"
-            raise top.fault(f"{where}, column {column}", expected, described(given), remedy)
-        entries.append(value)
-    return tuple(entries)
+def _inertia(
+    top: Table, group: str, own: OwnGroup | None, is_in_fluid: bool
+) -> tuple[Matrix, bool]:
+    """The inertia, (n, n), exact and positive definite, and whether a fluid has a part in it."""
+    if "body" not in top.values:
+        inertia = matrix(top, "inertia", DIAGONAL)
+        check_symmetric(top.file, inertia)
+        check_positive_definite(top.file, inertia)
+        if own is None and not is_in_fluid:
+            check_rigid(top.file, group, inertia)
+        return inertia, is_in_fluid
+    if "inertia" in top.values:
+        remedy = "keep [body], or the inertia that stands at the top of the file"
+        raise top.fault("body", "either a [body] or an inertia", "both", remedy)
+    return assembled(top, group, own), is_in_fluid or has_added_mass(top)
 
 
 def _gain(gains: Table, name: str) -> Fraction:
-    """One gain: positive, and of moderate size."""
-    expected = f"a number greater than 0 (at least 1e-30) and at most {shown(LARGEST_GAIN)}"
+    """One gain, in 1/s."""
     remedy = f"write {name} = 1.0, or another positive number without quotes, below [gains]"
-    given = gains.require(name, expected, remedy)
-    value = _number(given)
-    if value is None or not SMALLEST <= value <= LARGEST_GAIN:
-        raise gains.fault(name, expected, described(given), remedy)
-    return value
-
-
-def _number(given: object) -> Fraction | None:
-    """An exact number, or nothing for whatever else stands there; a boolean is not a number."""
-    if isinstance(given, bool) or not isinstance(given, int | Fraction):
-        return None
-    return Fraction(given)
-
-
-def _square(n: int) -> str:
-    return f"{n} by {n}"
+    return positive(gains, name, LARGEST_GAIN, remedy)

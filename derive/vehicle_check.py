@@ -12,6 +12,7 @@ Matrix = tuple[tuple[Fraction, ...], ...]
 
 LONGEST_NAME = 48  # characters
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
+IN_FLUID = "for a body that carries fluid with it write [options] added_mass = true"
 SCALAR_SUFFIXES = ("_f32", "_f64")  # NAME_f64 is the prefix of what is emitted
 
 _C_WORDS = """
@@ -71,14 +72,14 @@ def _suggestion(name: str) -> str:
     return usable if not _problem(usable) else f"vehicle_{usable or 1}"
 
 
-def check_symmetric(file: str, inertia: Matrix) -> None:
+def check_symmetric(file: str, inertia: Matrix, key: str = "inertia") -> None:
     """Raise InputError naming the first two mirrored entries that differ; exact."""
     for i, j in combinations(range(len(inertia)), 2):
         upper, lower = inertia[i][j], inertia[j][i]
         if upper != lower:
             raise InputError(
                 file,
-                "inertia",
+                key,
                 f"a symmetric matrix: row {i + 1}, column {j + 1} equal to its mirror image",
                 f"row {i + 1}, column {j + 1} is {shown(upper)}, row {j + 1}, column {i + 1} is "
                 f"{shown(lower)} (difference {shown(upper - lower, 6)})",
@@ -86,7 +87,7 @@ def check_symmetric(file: str, inertia: Matrix) -> None:
             )
 
 
-def check_positive_definite(file: str, inertia: Matrix) -> None:
+def check_positive_definite(file: str, inertia: Matrix, key: str = "inertia") -> None:
     """Raise InputError naming the first leading minor that is not positive (Sylvester); exact."""
     for size in range(1, len(inertia) + 1):
         minor = determinant(inertia, range(size))
@@ -94,7 +95,7 @@ def check_positive_definite(file: str, inertia: Matrix) -> None:
             of_what = "entry" if size == 1 else f"{size} by {size} block"
             raise InputError(
                 file,
-                "inertia",
+                key,
                 "a positive definite matrix: every leading minor greater than 0",
                 f"leading minor {size}, the determinant of the upper left {of_what}, is "
                 f"{shown(minor, 6)}",
@@ -116,7 +117,9 @@ def pivots(inertia: Matrix) -> list[Fraction]:
     return found
 
 
-def check_triangle(file: str, inertia: Matrix) -> None:
+def check_triangle(
+    file: str, inertia: Matrix, key: str = "inertia", in_fluid: str = IN_FLUID
+) -> None:
     """Raise InputError unless no principal moment exceeds the sum of the others; exact.
 
     The moments obey it exactly when tr(J)/2 I - J is positive semidefinite, that is when all its
@@ -134,12 +137,13 @@ def check_triangle(file: str, inertia: Matrix) -> None:
     sum_of_small = " + ".join(f"{moment:.9g}" for moment in small)
     raise InputError(
         file,
-        "inertia",
-        "principal moments of a rigid body: none greater than the sum of the others",
+        key,
+        "principal moments of a rigid body about its centre of mass: none greater than the sum of "
+        "the others",
         f"principal moments {', '.join(f'{moment:.9g}' for moment in (*small, large))}, but "
         f"{large:.9g} > {sum_of_small}",
         "check the entries: no distribution of mass has these moments (a common cause is products "
-        "of inertia in other units, or a moment of another axis)",
+        f"of inertia in other units, or a moment of another axis); {in_fluid}",
     )
 
 

@@ -17,6 +17,13 @@ FILE_LINES, FUNCTION_LINES = 250, 60
 LAYER = {
     "derive.vehicle_check": "derive.vehicle",
     "derive.vehicle_text": "derive.vehicle",
+    **dict.fromkeys(
+        (
+            f"derive.vehicle_{part}"
+            for part in ("body", "group", "key", "lookup", "number", "rigid")
+        ),
+        "derive.vehicle",
+    ),
     "derive.starter": "derive.vehicle",
     "derive.cache": "derive.pipeline",
     "derive.folder": "derive.pipeline",
@@ -60,6 +67,7 @@ THIRD_PARTY = {
     "derive.lie": ("sympy",),
     "derive.lie.kernel": ("sympy", "mpmath"),
     "derive.lie.minimax": ("mpmath",),
+    "derive.lie.basis": (),
     "derive.routine": ("sympy",),
     "derive.control": ("sympy",),
     "derive.control.table": (),

@@ -81,12 +81,22 @@ def test_loading_imports_nothing_heavy() -> None:
 @pytest.fixture
 def catalogue(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two groups and three laws in place of the real ones."""
-    group = SimpleNamespace(dim=3, is_rotation=True)
-    groups = {"SO3": group, "S3": group, "SE2": SimpleNamespace(dim=3, is_rotation=False)}
+    sizes = {"SO3": True, "S3": True, "SE2": False}
+    groups = {
+        name: SimpleNamespace(name=name, dim=3, is_rotation=turns) for name, turns in sizes.items()
+    }
     on = {"log": ("SO3", "S3"), "half_log": ("S3",), "skew": ("SO3", "SE2")}
     laws = {(there, law): None for law, homes in on.items() for there in homes}
-    monkeypatch.setitem(sys.modules, "derive.lie.catalogue", SimpleNamespace(GROUPS=groups))
-    monkeypatch.setitem(sys.modules, "derive.control.kinematic", SimpleNamespace(LAWS=laws))
+
+    def laws_of(group: SimpleNamespace) -> dict[str, None]:
+        return {law: None for law, homes in on.items() if group.name in homes}
+
+    lie = SimpleNamespace(GROUPS=groups, named=groups.__getitem__)
+    kinematic = SimpleNamespace(
+        LAWS=laws, laws_of=laws_of, why_not=lambda group, law: f"no {law} here"
+    )
+    monkeypatch.setitem(sys.modules, "derive.lie.catalogue", lie)
+    monkeypatch.setitem(sys.modules, "derive.control.kinematic", kinematic)
 
 
 @pytest.mark.usefixtures("catalogue")
@@ -98,7 +108,12 @@ def catalogue(monkeypatch: pytest.MonkeyPatch) -> None:
         (
             "S3",
             "skew",
-            ("law", "exist on S3", "'skew', which exists only on SO3, SE2", "choose a law"),
+            (
+                "law",
+                "exist on S3",
+                "'skew', which exists only on SO3, SE2: no skew here",
+                "choose a",
+            ),
         ),
         ("SO3", "half_log", ("law", "log, skew", "exists only on S3", "choose a law")),
         ("S3", "gibbs", ("law", "one of log, half_log", "'gibbs'", "choose a law of that list")),

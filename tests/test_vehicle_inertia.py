@@ -1,5 +1,6 @@
 """An inertia is judged exactly, and as numpy judges it where the verdict is clear."""
 
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -62,12 +63,17 @@ def test_triangle_inequality_is_exact(tmp_path: Path, place: int) -> None:
 
 
 def test_triangle_message_prints_the_principal_moments(tmp_path: Path) -> None:
-    vehicle = diagonal(tmp_path, "4", "1", "2")
+    with pytest.raises(InputError) as told:
+        diagonal(tmp_path, "4", "1", "2")
+    sound = diagonal(tmp_path, "4", "3", "2")
+    thin = replace(sound, inertia=((Fraction(9), *sound.inertia[0][1:]), *sound.inertia[1:]))
     with pytest.raises(InputError) as caught:
-        check_facts(vehicle, BODY)
-    assert caught.value.found == "principal moments 1, 2, 4, but 4 > 1 + 2"
-    assert caught.value.key == "inertia"
-    check_facts(vehicle, Facts(dim=3, is_rotation=False))
+        check_facts(thin, BODY)
+    assert told.value.found == "principal moments 1, 2, 4, but 4 > 1 + 2"
+    assert caught.value.found == "principal moments 2, 3, 9, but 9 > 2 + 3"
+    assert caught.value.key == told.value.key == "inertia"
+    check_facts(thin, Facts(dim=3, is_rotation=False))
+    check_facts(replace(thin, is_in_fluid=True), BODY)
 
 
 def test_dimension_of_the_group_is_required(tmp_path: Path) -> None:

@@ -91,7 +91,8 @@ BAD = [
     ("name_device", named('"aux"'), "name", "no one else's", "Windows", '"vehicle_aux"'),
     ("name_scalar", named('"body_f64"'), "name", "not ending in _f32", "'body_f64'", '"body"'),
     ("no_group", GOOD.replace('group = "SO3"', ""), "group", "SO3", "missing", "write group ="),
-    ("group_table", GOOD.replace('"SO3"', "{dim = 3}"), "group", "name of", "table", "group"),
+    ("group_table", GOOD.replace('"SO3"', "{dim = 3}"), "group.dim", "basis", "unknown", "name"),
+    ("group_list", GOOD.replace('"SO3"', '["SO3"]'), "group", "name of", "array of 1", "group"),
     ("law_number", with_line("law = 1.5"), "law", "kinematic law", "1.5", 'law = "log"'),
     (
         "unknown_controller",

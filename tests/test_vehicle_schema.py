@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 
-from derive import vehicle, vehicle_check
+from derive import vehicle, vehicle_body, vehicle_check, vehicle_group, vehicle_key, vehicle_number
 from derive.control.table import CONTROLLERS
+from derive.lie import basis
 
 SCHEMA: dict[str, Any] = json.loads(
     (Path(__file__).parents[1] / "docs" / "vehicle.schema.json").read_text(encoding="utf-8")
@@ -16,12 +17,29 @@ SCHEMA: dict[str, Any] = json.loads(
 KEYS: dict[str, Any] = SCHEMA["properties"]
 
 
-def test_keys_are_those_of_the_reader() -> None:
-    assert tuple(KEYS) == vehicle.TOP_KEYS
-    assert tuple(KEYS["emit"]["properties"]) == vehicle.EMIT_KEYS
-    assert not SCHEMA["additionalProperties"]
-    assert not KEYS["emit"]["additionalProperties"]
+TABLES = {
+    "": (SCHEMA, vehicle_key.TOP_KEYS),
+    "emit": (KEYS["emit"], vehicle_key.EMIT_KEYS),
+    "options": (KEYS["options"], vehicle_key.OPTION_KEYS),
+    "body": (SCHEMA["$defs"]["body"], vehicle_key.BODY_KEYS),
+    "group": (SCHEMA["$defs"]["group"], vehicle_key.GROUP_KEYS),
+}
+
+
+@pytest.mark.parametrize("table", TABLES)
+def test_keys_are_those_of_the_reader(table: str) -> None:
+    described, known = TABLES[table]
+    assert tuple(described["properties"]) == known
+    assert not described["additionalProperties"]
+
+
+def test_version_is_that_of_the_reader() -> None:
     assert KEYS["schema"]["const"] == vehicle.SCHEMA
+
+
+def test_options_are_left_out_for_false() -> None:
+    options = KEYS["options"]["properties"].values()
+    assert {(option["type"], option["default"]) for option in options} == {("boolean", False)}
 
 
 def test_choices_and_defaults_are_those_of_the_reader() -> None:
@@ -44,7 +62,9 @@ def test_required_keys_are_those_the_reader_misses(tmp_path: Path) -> None:
         required.add(caught.value.key.partition(".")[0])
     path.write_text("\n".join(lines), encoding="utf-8")
     vehicle.load(path)
-    assert required == set(SCHEMA["required"])
+    either = [set(way["required"]) for way in SCHEMA["oneOf"]]
+    assert either == [{"inertia"}, {"body"}]
+    assert required == {*SCHEMA["required"], "inertia"}
 
 
 def test_gains_are_those_of_each_controller() -> None:
@@ -63,11 +83,34 @@ def test_gains_are_those_of_each_controller() -> None:
 
 
 def test_bounds_are_those_of_the_reader() -> None:
-    row = KEYS["inertia"]["items"]
-    assert KEYS["inertia"]["maxItems"] == row["maxItems"] == vehicle.LARGEST_DIMENSION
-    assert row["items"]["maximum"] == -row["items"]["minimum"] == vehicle.LARGEST_ENTRY
+    assert KEYS["inertia"]["$ref"] == "#/$defs/matrix"
+    matrix = SCHEMA["$defs"]["matrix"]
+    row = matrix["items"]
+    assert matrix["maxItems"] == row["maxItems"] == vehicle_number.LARGEST_DIMENSION
+    assert row["items"]["maximum"] == -row["items"]["minimum"] == vehicle_number.LARGEST_ENTRY
     assert SCHEMA["$defs"]["gain"]["maximum"] == vehicle.LARGEST_GAIN
+    assert SCHEMA["$defs"]["positive"]["maximum"] == vehicle_number.LARGEST_ENTRY
+    center = SCHEMA["$defs"]["body"]["properties"]["center"]["items"]
+    assert center["maximum"] == -center["minimum"] == vehicle_body.LARGEST_ARM
     assert KEYS["name"]["maxLength"] == vehicle_check.LONGEST_NAME
     assert KEYS["name"]["pattern"] == f"^{vehicle_check.NAME.pattern}$"
     for suffix in vehicle_check.SCALAR_SUFFIXES:
         assert re.search(KEYS["name"]["not"]["pattern"], "body" + suffix)
+
+
+def test_a_group_of_ones_own_is_bounded_as_by_the_reader() -> None:
+    group = SCHEMA["$defs"]["group"]["properties"]
+    sizes = [group["basis"][key] for key in ("minItems", "maxItems")]
+    assert sizes == [1, basis.LARGEST_DIMENSION]
+    assert group["units"]["maxItems"] == basis.LARGEST_DIMENSION
+    rows = group["basis"]["items"]
+    assert rows["maxItems"] == rows["items"]["maxItems"] == basis.LARGEST_SIZE
+    number, ratio = SCHEMA["$defs"]["exact"]["oneOf"]
+    assert number["maximum"] == -number["minimum"] == vehicle_group.LARGEST_PART
+    for pattern, own in (
+        (ratio["pattern"], vehicle_group.RATIO),
+        (group["name"]["pattern"], vehicle_group.WORD),
+        (group["units"]["items"]["pattern"], vehicle_group.UNIT),
+    ):
+        assert pattern == f"^{own.pattern}$"
+    assert group["name"]["maxLength"] == vehicle_group.LONGEST_WORD

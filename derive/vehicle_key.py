@@ -1,0 +1,23 @@
+"""The keys of a vehicle file by table, and where one belongs that stands in another table."""
+
+from derive.control.table import CONTROLLERS
+
+TOP_KEYS = (
+    *("schema", "name", "group", "law", "controller", "inertia", "body", "options"),
+    *("gains", "emit"),
+)
+GROUP_KEYS = ("name", "basis", "units", "law")
+BODY_KEYS = ("mass", "center", "moments", "added_mass")
+OPTION_KEYS = ("momentum", "external", "added_mass")
+EMIT_KEYS = ("scalars", "targets")
+
+# TOML puts every key below [gains] into it, so a key of the top is easily lost there.
+HOMES = {
+    **dict.fromkeys(GROUP_KEYS, "below [group]"),
+    **dict.fromkeys(BODY_KEYS, "below [body]"),
+    **dict.fromkeys(OPTION_KEYS, "below [options]"),
+    "added_mass": "below [body] as a matrix, or below [options] as true",
+    **{gain: "below [gains]" for gains in CONTROLLERS.values() for gain in gains},
+    **dict.fromkeys(EMIT_KEYS, "below [emit]"),
+    **dict.fromkeys(TOP_KEYS, "to the top of the file, above the first [table]"),
+}
