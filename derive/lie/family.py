@@ -166,21 +166,35 @@ def rebased(group: Group, name: str, basis: Matrix, units: tuple[str, ...]) -> G
     """The same elements, stored alike, in another basis of the algebra.
 
     basis: (n, n), exact: column j holds the new E_j in the old coordinates. Raises ValueError
-    where it is singular.
+    where it is singular. What moves a velocity is computed in the old basis, which may keep apart
+    what the new one mixes: a turn of 1e-3 is lost beside a translation of 1e6.
     """
     if basis.det() == 0:
         raise ValueError(f"{name}: the new basis matrices are linearly dependent")
     made = [group.hat(basis[:, j]) for j in range(group.dim)]
+    back, unit = basis.inv(), group.unit
+
+    def pull(let: Let, g: Matrix) -> Pull:
+        first = group.pull(let, g)
+
+        def pulled(name: str, x: Matrix) -> Matrix:
+            old = let(f"{name}_old", basis * x, unit, "before, in the first basis")
+            new = let(f"{name}_new", first(name, old), unit, "after, in the first basis")
+            return back * new
+
+        return pulled
+
     return replace(
         group,
         name=name,
         basis=tuple(ImmutableMatrix(e) for e in made),
         units=units,
         cover=None,
-        chart=chart.rebased(group.chart, basis.inv()) if group.chart else None,
+        chart=chart.rebased(group.chart, back) if group.chart else None,
         factors=(),
+        first=(group, ImmutableMatrix(basis)),
         short_Ad=None,
-        short_pull=None,
+        short_pull=pull,
         is_rotation=False,
     )
 

@@ -79,6 +79,11 @@ def _turns_everywhere(group: Group) -> bool:
 
 def log_rate(let: Let, group: Group, chart: Chart, nu: Matrix) -> Matrix:
     """Rate of the logarithm, (n, 1), along g' = g hat(nu), as an expression over its steps."""
+    if group.first:
+        first, basis = group.first
+        old = let("nu_old", basis * nu, first.unit, "nu_e in the first basis")
+        rate = let("rate_old", log_rate(let, first, chart, old), first.unit, "rate of log there")
+        return basis.inv() * rate
     kind = spectrum(group)
     ad_y = group.ad(chart.scaled)
     if not kind.turns or chart.w is None:
