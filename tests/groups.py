@@ -102,3 +102,8 @@ CHARTED = tuple(name for name, group in ALL.items() if group.chart or group.fact
 """Names of the groups with a logarithm."""
 
 each_group = pytest.mark.parametrize("group", ALL.values(), ids=ALL)
+
+TURNED = {"SO2": 2, "SO3": 3, "SE2": 2, "SE3": 3, "SE23": 3, "SO4": 4} | {
+    f"Random{seed}": 2 + seed % 2 for seed in range(4)
+}
+"""Rows of the rotation in the corner of a group's matrices."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
 from random import Random
 from typing import Any
 
@@ -57,6 +58,7 @@ def exact(value: Any) -> Fraction:
     return Fraction(int(value.numerator), int(value.denominator))
 
 
+@cache
 def rows(group: Group) -> list[Any]:
     """The basis of a group, (m, m) each, in fractions."""
     m = group.basis[0].rows
@@ -69,7 +71,7 @@ def eye(size: int) -> Any:
 
 def solve(a: Any, b: Any) -> Any:
     """a^-1 b by elimination, exactly; ZeroDivisionError where a is singular."""
-    whole, size = np.concatenate([a, b], axis=1), len(a)
+    whole, size = np.concatenate([a, b], axis=1) * Fraction(1), len(a)
     for k in range(size):
         pivot = next((i for i in range(k, size) if whole[i, k]), k)
         whole[[k, pivot]] = whole[[pivot, k]]
@@ -91,10 +93,20 @@ def hat(group: Group, x: Sequence[Any]) -> Any:
 
 def vee(group: Group, a: Any) -> Any:
     """Coordinates of a matrix of the algebra, by the normal equations; AssertionError elsewhere."""
+    found, is_exact = _fitted(group, a)
+    assert is_exact
+    return found
+
+
+def is_in_algebra(group: Group, a: Any) -> bool:
+    """Whether a is a sum of multiples of the E_i."""
+    return _fitted(group, a)[1]
+
+
+def _fitted(group: Group, a: Any) -> tuple[Any, bool]:
     stacked = np.stack([e.ravel() for e in rows(group)], axis=1)
     found = solve(stacked.T @ stacked, (stacked.T @ a.ravel())[:, None])[:, 0]
-    assert not (stacked @ found - a.ravel()).any()
-    return found
+    return found, not (stacked @ found - a.ravel()).any()
 
 
 def element(group: Group, rng: Random, far: bool = True) -> Any:
@@ -136,7 +148,7 @@ def embedded(group: Group, numbers: Sequence[Any]) -> Any:
         return np.stack([hamilton(numbers, e) for e in np.eye(4, dtype=int)], axis=1)
     m = group.basis[0].rows
     if group.name[0] == "R" and group.name[1:].isdigit():
-        g = np.eye(m, dtype=int).astype(object)
+        g = eye(m)
         g[:-1, -1] = list(numbers)
         return g
     return np.array(list(numbers), object).reshape(m, m)
