@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from string import ascii_lowercase
 from typing import Any
 
 import sympy
@@ -14,8 +15,8 @@ from derive.lie.chart import Charted
 from derive.lie.cover import Let
 from derive.lie.group import Group, Pull, marked
 
-MARKS = "abcdefgh"
-"""Suffix of the steps of each factor of a product."""
+MARKS = ascii_lowercase
+"""Suffix of the steps of each factor of a product: as many as a product may have factors."""
 
 
 def vector_space(n: int) -> Group:
@@ -112,7 +113,12 @@ def semidirect(base: Group, name: str, units: Sequence[str], turned: Charted | N
 
 
 def product(*factors: Group) -> Group:
-    """Direct product: stored numbers and coordinates concatenated, nothing mixed."""
+    """Direct product: stored numbers and coordinates concatenated, nothing mixed.
+
+    Raises ValueError for more factors than MARKS.
+    """
+    if len(factors) > len(MARKS):
+        raise ValueError(f"a product of {len(factors)} factors: at most {len(MARKS)} are expected")
     sizes = [one.basis[0].rows for one in factors]
     starts = [sum(sizes[:i]) for i in range(len(sizes))]
 
