@@ -43,7 +43,7 @@ def commands() -> None:
 @click.option("--law", help="Kinematic law; the group's usual one when left out.")
 def init(name: str, group: str, law: str | None) -> None:
     """Write a commented vehicle file, ./NAME.toml; never overwrites."""
-    from derive.starter import write
+    from derive.vehicle.starter import write
 
     path = write(name, group, law)
     click.echo(f"wrote {path}; next: derive emit {path}")

@@ -10,7 +10,7 @@ from pathlib import Path
 from derive import pipeline
 from derive.explain.document import document, labels
 from derive.vehicle import InputError, Vehicle
-from derive.vehicle_text import described, nearest
+from derive.vehicle.text import described, nearest
 
 
 def explain(

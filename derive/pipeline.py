@@ -17,7 +17,8 @@ from derive.emit.drift import Drift, compare
 from derive.emit.literal import nearest
 from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
-from derive.vehicle_check import pivots
+from derive.vehicle.check import pivots
+from derive.vehicle.group import group_of
 from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:
@@ -49,21 +50,20 @@ def derivations(vehicle: Vehicle) -> Routines:
     """Derive everything a vehicle whose group and law are known is emitted with."""
     from derive.control.controller import routines
     from derive.control.kinematic import laws_of
-    from derive.lie.catalogue import named
 
-    group = named(vehicle.group)
-    return routines(group, laws_of(group)[vehicle.law], vehicle.controller, vehicle.pattern)
+    group = group_of(vehicle)
+    law = laws_of(group)[vehicle.law]
+    return routines(group, law, vehicle.controller, vehicle.pattern, vehicle.options)
 
 
 def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.kinematic import laws_of
     from derive.emit.package import package
-    from derive.lie.catalogue import named
 
     facts = resolve(vehicle)
     check_facts(vehicle, facts)
-    group = named(vehicle.group)
+    group = group_of(vehicle)
     law = laws_of(group)[vehicle.law]
     parts = derivations(vehicle)
     described = {
@@ -85,8 +85,8 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     """Printed data of a vehicle, from the cache folder when it is there; None for no cache."""
     if cached is None:
         return derived(vehicle)
-    parts = (vehicle.name, vehicle.group, vehicle.law, vehicle.controller, vehicle.pattern)
-    name = cache.key(vehicle=parts)
+    kept = ("name", "group", "own", "law", "controller", "pattern", "options")
+    name = cache.key(vehicle=[getattr(vehicle, field) for field in kept])
     data: Printed | None = cache.read(cached, name)
     if data is None:
         data = derived(vehicle)

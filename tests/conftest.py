@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from derive.starter import starter
+from derive.vehicle.starter import starter
 from tests.command import FILES, derive
 
 settings.register_profile("laptop", deadline=None)

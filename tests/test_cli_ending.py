@@ -47,7 +47,7 @@ compile.Compiler.run = endless
 
 
 @either_signal
-@pytest.mark.parametrize("module", ["click", "derive.cli", "derive.vehicle_text"])
+@pytest.mark.parametrize("module", ["click", "derive.cli", "derive.vehicle.text"])
 def test_a_signal_during_the_first_imports_is_quiet(
     tmp_path: Path, module: str, number: int
 ) -> None:

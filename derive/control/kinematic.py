@@ -32,12 +32,12 @@ def laws_of(group: Group) -> dict[str, KinematicLaw]:
 
 
 def why_not(group: Group, name: str) -> str:
-    """Why a law that exists elsewhere does not exist on a group."""
-    if name == "log":
-        return f"the logarithm of {group.name} has no closed form without trigonometry"
-    if name == "cayley":
-        return f"(g - 1)(g + 1)^-1 leaves the algebra of {group.name}"
-    return f"{name} is a law of other groups"
+    """Why a law that could exist on any group does not exist on this one; empty for the others."""
+    reasons = {
+        "log": f"the logarithm of {group.name} has no closed form without trigonometry",
+        "cayley": f"(g - 1)(g + 1)^-1 leaves the algebra of {group.name}",
+    }
+    return reasons.get(name, "")
 
 
 def apply(

@@ -15,6 +15,7 @@ from derive.control.law import KinematicLaw, Written
 from derive.lie.cover import Let
 from derive.lie.group import Group
 from derive.lie.jacobian import log_rate
+from derive.lie.kernel import TINY
 
 
 def _log(let: Let, group: Group, g_e: Matrix) -> Written:
@@ -66,9 +67,9 @@ def _quotient(let: Let, group: Group, g: Matrix) -> tuple[Matrix, sympy.Expr]:
         if order < m:
             entries = Matrix(list(trace * eye(m) - product))
             adjugate = let(f"minor_{order}", entries, "1", "towards the adjugate").reshape(m, m)
-    inverse = let("inverse", 1 / trace, "1", "1/det(g + 1), finite where it is refused")
+    inverse = let("inverse", trace / (trace**2 + TINY), "1", "1/det(g + 1), finite at a pole")
     value = inverse * group.vee((g - eye(m)) * adjugate)
-    return value, let("clearance", sympy.Abs(trace) / 2**m, "1", "|det(g + 1)|/2^m")
+    return value, let("distance", sympy.Abs(trace) / 2**m, "1", "|det(g + 1)|/2^m")
 
 
 IDENTITY = KinematicLaw("log", _log, "the element itself")

@@ -8,7 +8,8 @@ from functools import cache
 from sympy import ImmutableMatrix, Matrix, eye
 
 from derive.lie import chart, cover
-from derive.lie.family import product, semidirect, vector_space
+from derive.lie.affine import semidirect
+from derive.lie.family import product, vector_space
 from derive.lie.group import Group
 
 

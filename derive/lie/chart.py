@@ -18,13 +18,14 @@ import sympy
 from sympy import Expr, Matrix, eye, sqrt
 
 from derive.lie.cover import Cover, Let, choose, of_quaternion, of_rotation, polynomials
-from derive.lie.kernel import SMALL, TINY, K
+from derive.lie.kernel import SMALL, TINY, H, K
 
 if TYPE_CHECKING:
     from derive.lie.group import Group
 
 
 Tangent = Callable[[Let], Matrix]
+Tail = Callable[[Let, Matrix], Matrix]
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ class Chart:
     w:         cosine of half the angle; None where nothing turns
     square:    s^2
     tangent:   writes vee((g - 1)(g + 1)^-1), (n, 1), if there is a short way to it
+    short_tail: Y^2 nu -> (Y^4 + s^2 Y^2) nu with Y = ad_y, if there is a short way to it
     """
 
     log: Matrix
@@ -44,6 +46,7 @@ class Chart:
     w: Expr | None = None
     square: Expr = sympy.S.Zero
     tangent: Tangent | None = None
+    short_tail: Tail | None = None
 
     @property
     def clearance(self) -> Expr:
@@ -85,24 +88,54 @@ def carried(base: Group, turned: Charted, columns: Sequence[str]) -> Charted:
     def chart(let: Let, stored: Matrix) -> Chart:
         g = stored.reshape(whole, whole)
         inner = turned(let, base.store(g[:size, :size]))
-        Y = base.hat(inner.scaled)
         half = let("half", 1 / (2 * K(inner.w)), "1", "1/(2 k)")
-        logs, scaled = [inner.log], [inner.scaled]
-        for i, unit in enumerate(columns):
-            p = g[:size, size + i]
-            swing = let(f"swing_{_label(i, columns)}", Y * p, unit, "Y p")
-            sway = let(f"sway_{_label(i, columns)}", Y * swing, unit, "Y Y p")
-            value = p - K(inner.w) * swing - sympy.diff(K(inner.w), inner.w) * sway
-            rho = let(f"rho_{_label(i, columns)}", value, unit, "p - k Y p + h Y Y p")
-            logs.append(rho)
-            scaled.append(let(f"y_{_label(i, columns)}", half * rho, unit, "rho/(2 k)"))
-
         moves = [g[:size, size + i] for i in range(len(columns))]
-        tangent = _carried_tangent(base, inner.tangent, moves) if inner.tangent else None
-        log, y = Matrix.vstack(*logs), Matrix.vstack(*scaled)
-        return Chart(log, y, inner.w, inner.square, tangent)
+        logs, scaled = [inner.log], [inner.scaled]
+        for p, mark, unit in zip(moves, _marks(len(columns)), columns, strict=True):
+            value = _shift(let, base, inner, p, mark, unit)
+            rho = let(f"rho_{mark}", value, unit, "p - k Y p + h Y Y p")
+            logs.append(rho)
+            scaled.append(let(f"y_{mark}", half * rho, unit, "rho/(2 k)"))
+        return Chart(
+            log=Matrix.vstack(*logs),
+            scaled=Matrix.vstack(*scaled),
+            w=inner.w,
+            square=inner.square,
+            tangent=_carried_tangent(base, inner.tangent, moves) if inner.tangent else None,
+            short_tail=_carried_tail(base, scaled),
+        )
 
     return chart
+
+
+def _shift(let: Let, base: Group, inner: Chart, p: Matrix, mark: str, unit: str) -> Matrix:
+    """p - k Y p + h Y Y p; in the plane, where Y Y p = -s^2 p, that is k (w p - Y p)."""
+    k, h = K(inner.w), H(inner.w)
+    Y = base.hat(inner.scaled)
+    is_plane = -inner.square * eye(p.rows) == Y * Y
+    if is_plane:
+        turned = let(f"turned_{mark}", inner.w * p - Y * p, unit, "p turned back by half the angle")
+        return k * turned
+    swing = let(f"swing_{mark}", Y * p, unit, "Y p")
+    sway = let(f"sway_{mark}", Y * swing, unit, "Y Y p")
+    return p - k * swing + h * sway
+
+
+def _carried_tail(base: Group, scaled: Sequence[Matrix]) -> Tail | None:
+    """In space (Y^4 + s^2 Y^2) nu = (0, -2 (v.q) Y^2 omega …) with y = (v, q …)."""
+    v, *moves = scaled
+    if base.ad(v) != base.hat(v):
+        return None
+
+    def tail(let: Let, bend: Matrix) -> Matrix:
+        turned = bend[: base.dim, :]
+        rows = [0 * turned]
+        for q, mark in zip(moves, _marks(len(moves)), strict=True):
+            along = let(f"along_{mark}", -2 * v.dot(q), "1", "-2 v.q")
+            rows.append(along * turned)
+        return Matrix.vstack(*rows)
+
+    return tail
 
 
 def _carried_tangent(base: Group, inner: Tangent, moves: Sequence[Matrix]) -> Tangent:
@@ -157,9 +190,9 @@ def _turned(let: Let, cover: Cover) -> Chart:
     return Chart(phi, v, w, v.dot(v), lambda let: v / (w + SMALL))
 
 
-def _label(i: int, columns: Sequence[str]) -> str:
-    """A letter for each column where there are several: swing_p, …"""
-    return "p" if len(columns) == 1 else f"p{i}"
+def _marks(count: int) -> list[str]:
+    """Suffix of the steps of each column: p, or p0, p1 where there are several."""
+    return ["p"] if count == 1 else [f"p{i}" for i in range(count)]
 
 
 def _half_turn(let: Let, c: Expr, s: Expr) -> tuple[Expr, Expr]:

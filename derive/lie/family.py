@@ -1,8 +1,7 @@
-"""Families of groups: additive ones, rotations that carry translations, direct products."""
+"""Families of groups: additive ones, direct products, and the same group in another basis."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from string import ascii_lowercase
 from typing import Any
@@ -11,9 +10,11 @@ import sympy
 from sympy import ImmutableMatrix, Matrix, eye, zeros
 
 from derive.lie import chart
-from derive.lie.chart import Charted
+from derive.lie.affine import semidirect, unit_matrix
 from derive.lie.cover import Let
 from derive.lie.group import Group, Pull, marked
+
+__all__ = ["MARKS", "product", "rebased", "semidirect", "vector_space"]
 
 MARKS = ascii_lowercase
 """Suffix of the steps of each factor of a product: as many as a product may have factors."""
@@ -27,7 +28,7 @@ def vector_space(n: int) -> Group:
 
     return Group(
         name=f"R{n}",
-        basis=tuple(ImmutableMatrix(_unit(n + 1, i, n)) for i in range(n)),
+        basis=tuple(ImmutableMatrix(unit_matrix(n + 1, i, n)) for i in range(n)),
         units=("m/s",) * n,
         identity=(0,) * n,
         embed=embed,
@@ -40,75 +41,6 @@ def vector_space(n: int) -> Group:
         short_Ad=lambda g: eye(n),
         short_error=lambda let, g_r, g: g - g_r,
         short_pull=lambda let, g: lambda name, x: x,
-    )
-
-
-def semidirect(base: Group, name: str, units: Sequence[str], turned: Charted | None) -> Group:
-    """Matrices [[M, p …], [0, 1]]: M of base, one column of translation for each unit.
-
-    units: of the velocity of each column; turned: chart of M as a carrier, None for no logarithm
-    """
-    size, columns = base.basis[0].rows, range(len(units))
-    whole = size + len(units)
-
-    def split(g: Matrix) -> tuple[Matrix, list[Matrix]]:
-        return g[:size, :size], [g[:size, size + i] for i in columns]
-
-    def embed(stored: Matrix) -> Matrix:
-        return _joined(*split(stored.reshape(whole, whole)))
-
-    def inverse(g: Matrix) -> Matrix:
-        M, moves = split(g)
-        back = base.inverse(M)
-        return _joined(back, [-back * p for p in moves])
-
-    def error(let: Let, g_r: Matrix, g: Matrix) -> Matrix:
-        (M_r, starts), (M, ends) = split(embed(g_r)), split(embed(g))
-        gaps = [
-            let(f"gap_{i}", p - p_r, unit.removesuffix("/s"), "g less g_r, translation")
-            for i, p, p_r, unit in zip(columns, ends, starts, units, strict=True)
-        ]
-        back = base.inverse(M_r)
-        return Matrix(list(_joined(back * M, [back * gap for gap in gaps])))
-
-    def pull(let: Let, stored: Matrix) -> Pull:
-        """M^-1 turned back, and what a translation p is moved by: M^-1 (v + hat(omega) p)."""
-        M, moves = split(embed(stored))
-        back, turn_back = base.inverse(M), base.Ad(base.inverse(M))
-
-        def pulled(name: str, x: Matrix) -> Matrix:
-            turn, parts = x[: base.dim, :], [turn_back * x[: base.dim, :]]
-            for i, p, unit in zip(columns, moves, units, strict=True):
-                start = base.dim + size * i
-                moved = x[start : start + size, :] + base.hat(turn) * p
-                arm = let(f"{name}_arm_{i}", moved, unit, "velocity at the tip of p")
-                parts.append(back * arm)
-            return Matrix.vstack(*parts)
-
-        return pulled
-
-    def residual(stored: Matrix) -> Matrix:
-        g = stored.reshape(whole, whole)
-        last = g[size:, :] - eye(whole)[size:, :]
-        return Matrix([*base.residual(base.store(g[:size, :size])), *last])
-
-    turns = [sympy.diag(e, zeros(len(units))) for e in base.basis]
-    shifts = [_unit(whole, i, size + column) for column in columns for i in range(size)]
-    lengths = [unit.removesuffix("/s") for unit in units]
-    return Group(
-        name=name,
-        basis=tuple(ImmutableMatrix(e) for e in (*turns, *shifts)),
-        units=(*base.units, *(unit for unit in units for _ in range(size))),
-        identity=tuple(eye(whole)),
-        embed=embed,
-        store=lambda g: Matrix(list(g)),
-        inverse=inverse,
-        residual=residual,
-        storage=f"matrix of {whole} rows, row by row",
-        shape=(whole, whole),
-        chart=chart.carried(base, turned, lengths) if turned else None,
-        short_error=error,
-        short_pull=pull,
     )
 
 
@@ -203,14 +135,3 @@ def rebased(group: Group, name: str, basis: Matrix, units: tuple[str, ...]) -> G
         short_pull=pull,
         is_rotation=False,
     )
-
-
-def _joined(M: Matrix, columns: Sequence[Matrix]) -> Matrix:
-    """[[M, p …], [0, 1]]."""
-    below = Matrix.hstack(zeros(len(columns), M.rows), eye(len(columns)))
-    return Matrix.vstack(Matrix.hstack(M, *columns), below)
-
-
-def _unit(size: int, row: int, column: int) -> Matrix:
-    """A single one at (row, column)."""
-    return Matrix(size, size, lambda i, j: int((i, j) == (row, column)))

@@ -89,7 +89,7 @@ class Group:
     @property
     def force_unit(self) -> str:
         """Units of a force: power over velocity."""
-        names = {"rad/s": "N m", "m/s": "N"}
+        names = {"rad/s": "N m", "m/s": "N", "1/s": "J"}
         return _listed(names.get(unit, f"W/({unit})") for unit in self.units)
 
     @property
@@ -103,7 +103,7 @@ class Group:
         turns, moves = "rad/s" in self.units, "m/s" in self.units
         if set(self.units) <= {"rad/s", "m/s"}:
             return ", ".join(["kg m^2"] * turns + ["kg m"] * (turns and moves) + ["kg"] * moves)
-        return "force over acceleration"
+        return "J s^2" if set(self.units) == {"1/s"} else "force over acceleration"
 
     def split_element(self, stored: Matrix) -> list[Matrix]:
         """Stored numbers of each factor of a product."""

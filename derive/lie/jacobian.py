@@ -95,12 +95,16 @@ def log_rate(let: Let, group: Group, chart: Chart, nu: Matrix) -> Matrix:
     if kind.turns == 1:
         return value
     let("m", M(w), "1", "-dh/dw", stands_for=M(w))
-    twofold = let("twofold", H(w) ** 2 - K(w) * M(w) / 2, "1", "h^2 - k m/2, of the double root")
-    square = let("square", chart.square, "1", "s^2")
-    moved = list(ad_y * bend + square * turn)
-    rows = [sympy.S.Zero if i in kind.still else x for i, x in enumerate(moved)]
-    twist = let("twist", Matrix(rows), group.unit, "(Y^2 + s^2) Y nu_e")
-    return value + twofold * (ad_y * twist)
+    double = H(w) ** 2 - K(w) * M(w) / 2
+    if chart.short_tail:
+        rows = chart.short_tail(let, bend)
+    else:
+        square = let("square", chart.square, "1", "s^2")
+        moved = list(ad_y * bend + square * turn)
+        kept = [sympy.S.Zero if i in kind.still else x for i, x in enumerate(moved)]
+        rows = ad_y * let("twist", Matrix(kept), group.unit, "(Y^2 + s^2) Y nu_e")
+    tail = let("tail", rows, group.unit, "(Y^2 + s^2) Y^2 nu_e")
+    return value + let("twofold", double, "1", "h^2 - k m/2, of the double root") * tail
 
 
 def _finite(let: Let, group: Group, ad_x: Matrix, zeros: int, nu: Matrix) -> Matrix:

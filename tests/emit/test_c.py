@@ -21,7 +21,7 @@ from derive.native.compile import (
     build_object,
 )
 from derive.vehicle import Vehicle
-from derive.vehicle_check import LONGEST_NAME
+from derive.vehicle.check import LONGEST_NAME
 from tests.emit import subjects
 from tests.emit.subjects import COMPILERS, CPP, FILES, GUARDED, SPARSE
 

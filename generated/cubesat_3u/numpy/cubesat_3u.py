@@ -56,7 +56,7 @@ DEFAULTS = Params(
 
 
 def control(
-    g: Array, nu: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, momentum: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
 ) -> Command:
     """Guarded controller: force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
 
@@ -69,6 +69,7 @@ def control(
         _real("k_s", params.k_s, ()),
         _real("g", g, (3, 3)),
         _real("nu", nu, (3,)),
+        _real("momentum", momentum, (3,)),
         _real("g_r", g_r, (3, 3)),
         _real("nu_r", nu_r, (3,)),
         _real("nu_r_dot", nu_r_dot, (3,)),
@@ -79,9 +80,10 @@ def control(
         found = [
             _judge(given[3], True),
             _judge(given[4], False),
-            _judge(given[5], True),
-            _judge(given[6], False),
+            _judge(given[5], False),
+            _judge(given[6], True),
             _judge(given[7], False),
+            _judge(given[8], False),
         ]
         worst = np.maximum.reduce([np.broadcast_to(one, batch) for one in found])
         finite = np.stack([np.isfinite(one).all(-1) for one in command]).all(0)
@@ -114,12 +116,13 @@ def check_params(params: Params = DEFAULTS) -> Array:
 
 
 def tracking(
-    g: Array, nu: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, momentum: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
 ) -> Command:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what `control` checks.
 
     g: configuration: rotation matrix, row by row [1], (..., 3, 3)
     nu: body velocity [rad/s], (..., 3)
+    momentum: internal momentum, of wheels [N m s], (..., 3)
     g_r: reference configuration: rotation matrix, row by row [1], (..., 3, 3)
     nu_r: reference velocity, reference body frame [rad/s], (..., 3)
     nu_r_dot: its rate [rad/s^2], (..., 3)
@@ -132,6 +135,7 @@ def tracking(
         _rows("k_s", params.k_s, ()),
         _rows("g", g, (3, 3)),
         _rows("nu", nu, (3,)),
+        _rows("momentum", momentum, (3,)),
         _rows("g_r", g_r, (3, 3)),
         _rows("nu_r", nu_r, (3,)),
         _rows("nu_r_dot", nu_r_dot, (3,)),
@@ -141,12 +145,13 @@ def tracking(
 
 
 def reaching(
-    g: Array, nu: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, momentum: Array, params: Params = DEFAULTS
 ) -> Command:
     """Force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what `control` checks.
 
     g: configuration: rotation matrix, row by row [1], (..., 3, 3)
     nu: body velocity [rad/s], (..., 3)
+    momentum: internal momentum, of wheels [N m s], (..., 3)
     Nothing is judged: every status is OK.
     Complex arrays pass through, for complex-step derivatives.
     """
@@ -156,23 +161,26 @@ def reaching(
         _rows("k_s", params.k_s, ()),
         _rows("g", g, (3, 3)),
         _rows("nu", nu, (3,)),
+        _rows("momentum", momentum, (3,)),
     ]
     command = _batched(_reaching, given)[:4]
     return Command(*command, np.full(command[0].shape[:-1], OK))
 
 
 def plant(
-    nu: Array, force: Array, params: Params = DEFAULTS
+    nu: Array, momentum: Array, force: Array, params: Params = DEFAULTS
 ) -> Array:
     """Acceleration under a force, Euler-Poincare; eq. (EulerP). Presumes what `control` checks.
 
     nu: body velocity [rad/s], (..., 3)
+    momentum: internal momentum, of wheels [N m s], (..., 3)
     force: applied force [N m], (..., 3)
     Complex arrays pass through, for complex-step derivatives.
     """
     given = [
         _rows("inertia", params.inertia, (6,)),
         _rows("nu", nu, (3,)),
+        _rows("momentum", momentum, (3,)),
         _rows("force", force, (3,)),
     ]
     return _batched(_plant, given)[0]
@@ -257,8 +265,8 @@ def _k(w: Array) -> Array:
 
 
 def _law(
-    inertia: Array, lambda_: Array, k_s: Array, g: Array, nu: Array, g_r: Array, nu_r: Array,
-    nu_r_dot: Array,
+    inertia: Array, lambda_: Array, k_s: Array, g: Array, nu: Array, momentum: Array, g_r: Array,
+    nu_r: Array, nu_r_dot: Array,
 ) -> Array:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
     # -- tracking --
@@ -269,6 +277,7 @@ def _law(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8]
     )
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
+    momentum_0, momentum_1, momentum_2 = momentum[0], momentum[1], momentum[2]
     g_r_0, g_r_1, g_r_2, g_r_3, g_r_4, g_r_5, g_r_6, g_r_7, g_r_8 = (
         g_r[0], g_r[1], g_r[2], g_r[3], g_r[4], g_r[5], g_r[6], g_r[7], g_r[8]
     )
@@ -375,14 +384,14 @@ def _law(
     turning_0 = drive_0 - eta_0
     turning_1 = drive_1 - eta_1
     turning_2 = drive_2 - eta_2
-    # momentum: I nu [N m s]
-    momentum_0 = inertia_0*nu_0
-    momentum_1 = inertia_3*nu_1
-    momentum_2 = inertia_5*nu_2
+    # whole_momentum: I nu and the internal momentum [N m s]
+    whole_momentum_0 = momentum_0 + inertia_0*nu_0
+    whole_momentum_1 = momentum_1 + inertia_3*nu_1
+    whole_momentum_2 = momentum_2 + inertia_5*nu_2
     # force: control force, I f_u [N m], eq. (TckCtrl)
-    force_0 = inertia_0*wanted_0 + momentum_1*turning_2 - momentum_2*turning_1
-    force_1 = inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2
-    force_2 = inertia_5*wanted_2 + momentum_0*turning_1 - momentum_1*turning_0
+    force_0 = inertia_0*wanted_0 + turning_2*whole_momentum_1 - turning_1*whole_momentum_2
+    force_1 = inertia_3*wanted_1 + turning_0*whole_momentum_2 - turning_2*whole_momentum_0
+    force_2 = inertia_5*wanted_2 + turning_1*whole_momentum_0 - turning_0*whole_momentum_1
     # -- end --
     return (
         (force_0, force_1, force_2),
@@ -394,7 +403,7 @@ def _law(
 
 
 def _reaching(
-    inertia: Array, lambda_: Array, k_s: Array, g: Array, nu: Array,
+    inertia: Array, lambda_: Array, k_s: Array, g: Array, nu: Array, momentum: Array,
 ) -> Array:
     """Force that drives (g, nu) to (e, 0); eq. (Ctrl2)."""
     # -- reaching --
@@ -405,6 +414,7 @@ def _reaching(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8]
     )
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
+    momentum_0, momentum_1, momentum_2 = momentum[0], momentum[1], momentum[2]
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
     B_0 = 1.0 + g_0 - g_4 - g_8
     B_1 = g_1 + g_3
@@ -480,14 +490,14 @@ def _reaching(
     wanted_0 = -(nu_u_dot_0*rate_gain + reach_gain*s_0)
     wanted_1 = -(nu_u_dot_1*rate_gain + reach_gain*s_1)
     wanted_2 = -(nu_u_dot_2*rate_gain + reach_gain*s_2)
-    # momentum: I nu [N m s]
-    momentum_0 = inertia_0*nu_0
-    momentum_1 = inertia_3*nu_1
-    momentum_2 = inertia_5*nu_2
+    # whole_momentum: I nu and the internal momentum [N m s]
+    whole_momentum_0 = momentum_0 + inertia_0*nu_0
+    whole_momentum_1 = momentum_1 + inertia_3*nu_1
+    whole_momentum_2 = momentum_2 + inertia_5*nu_2
     # force: control force, I f_u [N m], eq. (Ctrl2)
-    force_0 = drive_2*momentum_1 + inertia_0*wanted_0 - drive_1*momentum_2
-    force_1 = drive_0*momentum_2 + inertia_3*wanted_1 - drive_2*momentum_0
-    force_2 = drive_1*momentum_0 + inertia_5*wanted_2 - drive_0*momentum_1
+    force_0 = drive_2*whole_momentum_1 + inertia_0*wanted_0 - drive_1*whole_momentum_2
+    force_1 = drive_0*whole_momentum_2 + inertia_3*wanted_1 - drive_2*whole_momentum_0
+    force_2 = drive_1*whole_momentum_0 + inertia_5*wanted_2 - drive_0*whole_momentum_1
     # -- end --
     return (
         (force_0, force_1, force_2),
@@ -498,21 +508,22 @@ def _reaching(
 
 
 def _plant(
-    inertia: Array, nu: Array, force: Array,
+    inertia: Array, nu: Array, momentum: Array, force: Array,
 ) -> Array:
     """Acceleration under a force, Euler-Poincare; eq. (EulerP)."""
     # -- plant --
     inertia_0, inertia_3, inertia_5 = inertia[0], inertia[3], inertia[5]
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
+    momentum_0, momentum_1, momentum_2 = momentum[0], momentum[1], momentum[2]
     force_0, force_1, force_2 = force[0], force[1], force[2]
-    # momentum: I nu [N m s]
-    momentum_0 = inertia_0*nu_0
-    momentum_1 = inertia_3*nu_1
-    momentum_2 = inertia_5*nu_2
+    # whole_momentum: I nu and the internal momentum [N m s]
+    whole_momentum_0 = momentum_0 + inertia_0*nu_0
+    whole_momentum_1 = momentum_1 + inertia_3*nu_1
+    whole_momentum_2 = momentum_2 + inertia_5*nu_2
     # total: coad(nu) I nu + force [N m]
-    total_0 = force_0 + momentum_1*nu_2 - momentum_2*nu_1
-    total_1 = force_1 + momentum_2*nu_0 - momentum_0*nu_2
-    total_2 = force_2 + momentum_0*nu_1 - momentum_1*nu_0
+    total_0 = force_0 + nu_2*whole_momentum_1 - nu_1*whole_momentum_2
+    total_1 = force_1 + nu_0*whole_momentum_2 - nu_2*whole_momentum_0
+    total_2 = force_2 + nu_1*whole_momentum_0 - nu_0*whole_momentum_1
     # back_2: back substitution [rad/s^2]
     back_2 = total_2/inertia_5
     # back_1: back substitution [rad/s^2]

@@ -41,6 +41,7 @@ typedef struct {
 typedef struct {
     float g[9]; /* configuration: rotation matrix, row by row [1] */
     float nu[3]; /* body velocity [rad/s] */
+    float momentum[3]; /* internal momentum, of wheels [N m s] */
 } cubesat_3u_f32_state;
 
 typedef struct {
@@ -69,17 +70,17 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
         cubesat_3u_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   230 operations, 74 temporaries. */
+   233 operations, 74 temporaries. */
 void cubesat_3u_f32_tracking(const cubesat_3u_f32_params *params, const cubesat_3u_f32_state *state,
         const cubesat_3u_f32_reference *reference, cubesat_3u_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   137 operations, 53 temporaries. */
+   140 operations, 53 temporaries. */
 void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_3u_f32_state *state,
         cubesat_3u_f32_command *command);
 
 /* acceleration under a force, Euler-Poincare; eq. (EulerP). Presumes what control checks.
-   18 operations, 9 temporaries. */
+   21 operations, 9 temporaries. */
 void cubesat_3u_f32_plant(const cubesat_3u_f32_params *params, const cubesat_3u_f32_state *state,
         const float force[3], float nu_dot[3]);
 

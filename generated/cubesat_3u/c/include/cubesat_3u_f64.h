@@ -41,6 +41,7 @@ typedef struct {
 typedef struct {
     double g[9]; /* configuration: rotation matrix, row by row [1] */
     double nu[3]; /* body velocity [rad/s] */
+    double momentum[3]; /* internal momentum, of wheels [N m s] */
 } cubesat_3u_f64_state;
 
 typedef struct {
@@ -69,17 +70,17 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
         cubesat_3u_f64_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   230 operations, 74 temporaries. */
+   233 operations, 74 temporaries. */
 void cubesat_3u_f64_tracking(const cubesat_3u_f64_params *params, const cubesat_3u_f64_state *state,
         const cubesat_3u_f64_reference *reference, cubesat_3u_f64_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   137 operations, 53 temporaries. */
+   140 operations, 53 temporaries. */
 void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_3u_f64_state *state,
         cubesat_3u_f64_command *command);
 
 /* acceleration under a force, Euler-Poincare; eq. (EulerP). Presumes what control checks.
-   18 operations, 9 temporaries. */
+   21 operations, 9 temporaries. */
 void cubesat_3u_f64_plant(const cubesat_3u_f64_params *params, const cubesat_3u_f64_state *state,
         const double force[3], double nu_dot[3]);
 

@@ -63,6 +63,8 @@ static void cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
         g_8 = state->g[8];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double momentum_0 = state->momentum[0], momentum_1 = state->momentum[1],
+        momentum_2 = state->momentum[2];
     const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
         g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
         g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
@@ -207,15 +209,18 @@ static void cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
     const double turning_1 = drive_1 - eta_1;
     const double turning_2 = drive_2 - eta_2;
 
-    /* momentum: I nu [N m s] */
-    const double momentum_0 = inertia_0*nu_0;
-    const double momentum_1 = inertia_3*nu_1;
-    const double momentum_2 = inertia_5*nu_2;
+    /* whole_momentum: I nu and the internal momentum [N m s] */
+    const double whole_momentum_0 = momentum_0 + inertia_0*nu_0;
+    const double whole_momentum_1 = momentum_1 + inertia_3*nu_1;
+    const double whole_momentum_2 = momentum_2 + inertia_5*nu_2;
 
     /* force: control force, I f_u [N m], eq. (TckCtrl) */
-    const double force_0 = inertia_0*wanted_0 + momentum_1*turning_2 - momentum_2*turning_1;
-    const double force_1 = inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2;
-    const double force_2 = inertia_5*wanted_2 + momentum_0*turning_1 - momentum_1*turning_0;
+    const double force_0 = inertia_0*wanted_0 + turning_2*whole_momentum_1 -
+        turning_1*whole_momentum_2;
+    const double force_1 = inertia_3*wanted_1 + turning_0*whole_momentum_2 -
+        turning_2*whole_momentum_0;
+    const double force_2 = inertia_5*wanted_2 + turning_1*whole_momentum_0 -
+        turning_0*whole_momentum_1;
 
     /* -- end -- */
     command->force[0] = force_0;
@@ -329,6 +334,8 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
         g_8 = state->g[8];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double momentum_0 = state->momentum[0], momentum_1 = state->momentum[1],
+        momentum_2 = state->momentum[2];
 
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
     const double B_0 = 1.0 + g_0 - g_4 - g_8;
@@ -433,15 +440,15 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
     const double wanted_1 = -(nu_u_dot_1*rate_gain + reach_gain*s_1);
     const double wanted_2 = -(nu_u_dot_2*rate_gain + reach_gain*s_2);
 
-    /* momentum: I nu [N m s] */
-    const double momentum_0 = inertia_0*nu_0;
-    const double momentum_1 = inertia_3*nu_1;
-    const double momentum_2 = inertia_5*nu_2;
+    /* whole_momentum: I nu and the internal momentum [N m s] */
+    const double whole_momentum_0 = momentum_0 + inertia_0*nu_0;
+    const double whole_momentum_1 = momentum_1 + inertia_3*nu_1;
+    const double whole_momentum_2 = momentum_2 + inertia_5*nu_2;
 
     /* force: control force, I f_u [N m], eq. (Ctrl2) */
-    const double force_0 = drive_2*momentum_1 + inertia_0*wanted_0 - drive_1*momentum_2;
-    const double force_1 = drive_0*momentum_2 + inertia_3*wanted_1 - drive_2*momentum_0;
-    const double force_2 = drive_1*momentum_0 + inertia_5*wanted_2 - drive_0*momentum_1;
+    const double force_0 = drive_2*whole_momentum_1 + inertia_0*wanted_0 - drive_1*whole_momentum_2;
+    const double force_1 = drive_0*whole_momentum_2 + inertia_3*wanted_1 - drive_2*whole_momentum_0;
+    const double force_2 = drive_1*whole_momentum_0 + inertia_5*wanted_2 - drive_0*whole_momentum_1;
 
     /* -- end -- */
     command->force[0] = force_0;
@@ -465,17 +472,19 @@ void cubesat_3u_f64_plant(const cubesat_3u_f64_params *params, const cubesat_3u_
     const double inertia_0 = params->inertia[0], inertia_3 = params->inertia[3],
         inertia_5 = params->inertia[5];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double momentum_0 = state->momentum[0], momentum_1 = state->momentum[1],
+        momentum_2 = state->momentum[2];
     const double force_0 = force[0], force_1 = force[1], force_2 = force[2];
 
-    /* momentum: I nu [N m s] */
-    const double momentum_0 = inertia_0*nu_0;
-    const double momentum_1 = inertia_3*nu_1;
-    const double momentum_2 = inertia_5*nu_2;
+    /* whole_momentum: I nu and the internal momentum [N m s] */
+    const double whole_momentum_0 = momentum_0 + inertia_0*nu_0;
+    const double whole_momentum_1 = momentum_1 + inertia_3*nu_1;
+    const double whole_momentum_2 = momentum_2 + inertia_5*nu_2;
 
     /* total: coad(nu) I nu + force [N m] */
-    const double total_0 = force_0 + momentum_1*nu_2 - momentum_2*nu_1;
-    const double total_1 = force_1 + momentum_2*nu_0 - momentum_0*nu_2;
-    const double total_2 = force_2 + momentum_0*nu_1 - momentum_1*nu_0;
+    const double total_0 = force_0 + nu_2*whole_momentum_1 - nu_1*whole_momentum_2;
+    const double total_1 = force_1 + nu_0*whole_momentum_2 - nu_2*whole_momentum_0;
+    const double total_2 = force_2 + nu_1*whole_momentum_0 - nu_0*whole_momentum_1;
 
     /* back_2: back substitution [rad/s^2] */
     const double back_2 = total_2/inertia_5;
@@ -501,6 +510,8 @@ static cubesat_3u_f64_status cubesat_3u_f64_judge(const cubesat_3u_f64_state *st
             cubesat_3u_f64_inspect(state->g, 9, CUBESAT_3U_F64_MAX_INPUT));
     worst = cubesat_3u_f64_worse(worst,
             cubesat_3u_f64_inspect(state->nu, 3, CUBESAT_3U_F64_MAX_INPUT));
+    worst = cubesat_3u_f64_worse(worst,
+            cubesat_3u_f64_inspect(state->momentum, 3, CUBESAT_3U_F64_MAX_INPUT));
     worst = cubesat_3u_f64_worse(worst,
             cubesat_3u_f64_inspect(reference->g, 9, CUBESAT_3U_F64_MAX_INPUT));
     worst = cubesat_3u_f64_worse(worst,

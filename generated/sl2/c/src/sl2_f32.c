@@ -1,0 +1,416 @@
+/*
+ * sl2_f32: gsmc on SL2, law skew (vee(g - g^-1)/2), float precision.
+ * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
+ */
+#include "sl2_f32.h"
+
+#include <math.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
+#endif
+
+const sl2_f32_params sl2_f32_defaults = {
+    {2.0F, 0.3F, 0.1F, 1.5F, -0.2F, 2.5F},
+    0.5F, /* lambda */
+    1.0F /* k_s */
+};
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
+static void sl2_f32_law(const sl2_f32_params *params, const sl2_f32_state *state,
+        const sl2_f32_reference *reference, sl2_f32_command *command, float *clearance)
+{
+    /* -- tracking -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const float rate_gain = params->lambda;
+    const float reach_gain = params->k_s;
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+    const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
+    const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
+        nu_r_dot_2 = reference->nu_dot[2];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_3 - g_2*g_r_1;
+    const float g_e_1 = g_1*g_r_3 - g_3*g_r_1;
+    const float g_e_2 = g_2*g_r_0 - g_0*g_r_2;
+    const float g_e_3 = g_3*g_r_0 - g_1*g_r_2;
+
+    /* to_body: Ad of g_e^-1: reference to body frame [1] */
+    const float to_body_0 = g_e_3*g_e_3;
+    const float to_body_1 = -g_e_1*g_e_1;
+    const float to_body_2 = 2.0F*g_e_1*g_e_3;
+    const float to_body_3 = -g_e_2*g_e_2;
+    const float to_body_4 = g_e_0*g_e_0;
+    const float to_body_5 = -2.0F*g_e_0*g_e_2;
+    const float to_body_6 = g_e_2*g_e_3;
+    const float to_body_7 = -g_e_0*g_e_1;
+    const float to_body_8 = g_e_0*g_e_3 + g_e_1*g_e_2;
+
+    /* eta: reference velocity in the body frame [1/s], eq. (velErr) */
+    const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
+    const float eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5;
+    const float eta_2 = nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8;
+
+    /* nu_e: velocity error [1/s], eq. (velErr) */
+    const float nu_e_0 = nu_0 - eta_0;
+    const float nu_e_1 = nu_1 - eta_1;
+    const float nu_e_2 = nu_2 - eta_2;
+
+    /* eta_dot: exact rate of eta [1/s^2] */
+    const float eta_dot_0 = nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
+        2.0F*eta_0*nu_e_2 + 2.0F*eta_2*nu_e_0;
+    const float eta_dot_1 = nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 -
+        2.0F*eta_2*nu_e_1 + 2.0F*eta_1*nu_e_2;
+    const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
+        nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
+
+    /* nu_u: kinematic law, vee(g - g^-1)/2 [1], def. (KctrLaw) */
+    const float nu_u_2 = 0.5F*(g_e_0 - g_e_3);
+
+    /* nu_u_dot: exact rate of nu_u [1/s] */
+    const float nu_u_dot_0 = g_e_0*nu_e_0 - g_e_1*nu_e_2;
+    const float nu_u_dot_1 = g_e_2*nu_e_2 + g_e_3*nu_e_1;
+    const float nu_u_dot_2 = 0.5F*(g_e_0*nu_e_2 + g_e_1*nu_e_1 + g_e_3*nu_e_2 - g_e_2*nu_e_0);
+
+    /* drive: lambda nu_u [1/s] */
+    const float drive_0 = g_e_1*rate_gain;
+    const float drive_1 = g_e_2*rate_gain;
+    const float drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [1/s], eq. (SurfaceErr) */
+    const float s_0 = drive_0 + nu_e_0;
+    const float s_1 = drive_1 + nu_e_1;
+    const float s_2 = drive_2 + nu_e_2;
+
+    /* wanted: acceleration asked for [1/s^2] */
+    const float wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0;
+    const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
+    const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
+
+    /* turning: lambda nu_u - eta [1/s] */
+    const float turning_0 = drive_0 - eta_0;
+    const float turning_1 = drive_1 - eta_1;
+    const float turning_2 = drive_2 - eta_2;
+
+    /* momentum: I nu [J s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const float momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const float momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [J], eq. (TckCtrl) */
+    const float force_0 = inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 -
+        momentum_2*turning_1 + 2.0F*momentum_0*turning_2;
+    const float force_1 = inertia_1*wanted_0 + inertia_3*wanted_1 + inertia_4*wanted_2 +
+        momentum_2*turning_0 - 2.0F*momentum_1*turning_2;
+    const float force_2 = inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 -
+        2.0F*momentum_0*turning_0 + 2.0F*momentum_1*turning_1;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = g_e_1;
+    command->nu_u[1] = g_e_2;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+    *clearance = 1.0F;
+}
+
+/* distance of stored numbers from the group. */
+static void sl2_f32_residual(const float g[4], float residual[2])
+{
+    /* -- residual -- */
+    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
+
+    /* off: deviation from the group [1] */
+    const float off_0 = 1.0F + g_1*g_2 - g_0*g_3;
+    const float off_1 = g_0*g_3 - 1.0F - g_1*g_2;
+
+    /* -- end -- */
+    residual[0] = off_0;
+    residual[1] = off_1;
+}
+
+/* pivots of the inertia: all positive for a valid one. */
+static void sl2_f32_definiteness(const sl2_f32_params *params, float pivot[3])
+{
+    /* -- definiteness -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+
+    /* lower_10: I = L D L^T, entry of L [1] */
+    const float lower_10 = inertia_1/inertia_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const float lower_20 = inertia_2/inertia_0;
+
+    /* pivot_1: pivot of I [J s^2] */
+    const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
+
+    /* lower_21: I = L D L^T, entry of L [1] */
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+
+    /* pivot_2: pivot of I [J s^2] */
+    const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
+
+    /* -- end -- */
+    pivot[0] = inertia_0;
+    pivot[1] = pivot_1;
+    pivot[2] = pivot_2;
+}
+
+/* The worse of two findings. */
+static sl2_f32_status sl2_f32_worse(const sl2_f32_status a,
+        const sl2_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static sl2_f32_status sl2_f32_inspect(const float *numbers, const int count,
+        const float limit)
+{
+    sl2_f32_status worst = SL2_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = SL2_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = sl2_f32_worse(worst, SL2_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
+static sl2_f32_status sl2_f32_on_group(const float g[4])
+{
+    float residual[2];
+    int i;
+    sl2_f32_residual(g, residual);
+    for (i = 0; i < 2; i++) {
+        if (!(fabsf(residual[i]) <= SL2_F32_MAX_DRIFT)) {
+            return SL2_F32_NOT_ON_GROUP;
+        }
+    }
+    return SL2_F32_OK;
+}
+
+void sl2_f32_tracking(const sl2_f32_params *params, const sl2_f32_state *state,
+        const sl2_f32_reference *reference, sl2_f32_command *command)
+{
+    float clearance;
+    sl2_f32_law(params, state, reference, command, &clearance);
+}
+
+void sl2_f32_reaching(const sl2_f32_params *params, const sl2_f32_state *state,
+        sl2_f32_command *command)
+{
+    /* -- reaching -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const float rate_gain = params->lambda;
+    const float reach_gain = params->k_s;
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+
+    /* nu_u: kinematic law, vee(g - g^-1)/2 [1], def. (KctrLaw) */
+    const float nu_u_2 = 0.5F*(g_0 - g_3);
+
+    /* nu_u_dot: exact rate of nu_u [1/s] */
+    const float nu_u_dot_0 = g_0*nu_0 - g_1*nu_2;
+    const float nu_u_dot_1 = g_2*nu_2 + g_3*nu_1;
+    const float nu_u_dot_2 = 0.5F*(g_0*nu_2 + g_1*nu_1 + g_3*nu_2 - g_2*nu_0);
+
+    /* drive: lambda nu_u [1/s] */
+    const float drive_0 = g_1*rate_gain;
+    const float drive_1 = g_2*rate_gain;
+    const float drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [1/s], eq. (sldS) */
+    const float s_0 = drive_0 + nu_0;
+    const float s_1 = drive_1 + nu_1;
+    const float s_2 = drive_2 + nu_2;
+
+    /* wanted: acceleration asked for [1/s^2] */
+    const float wanted_0 = -(nu_u_dot_0*rate_gain + reach_gain*s_0);
+    const float wanted_1 = -(nu_u_dot_1*rate_gain + reach_gain*s_1);
+    const float wanted_2 = -(nu_u_dot_2*rate_gain + reach_gain*s_2);
+
+    /* momentum: I nu [J s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const float momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const float momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [J], eq. (Ctrl2) */
+    const float force_0 = inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 -
+        drive_1*momentum_2 + 2.0F*drive_2*momentum_0;
+    const float force_1 = drive_0*momentum_2 + inertia_1*wanted_0 + inertia_3*wanted_1 +
+        inertia_4*wanted_2 - 2.0F*drive_2*momentum_1;
+    const float force_2 = inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 -
+        2.0F*drive_0*momentum_0 + 2.0F*drive_1*momentum_1;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = g_1;
+    command->nu_u[1] = g_2;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+}
+
+void sl2_f32_plant(const sl2_f32_params *params, const sl2_f32_state *state, const float force[3],
+        float nu_dot[3])
+{
+    /* -- plant -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const float force_0 = force[0], force_1 = force[1], force_2 = force[2];
+
+    /* momentum: I nu [J s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const float momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const float momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* total: coad(nu) I nu + force [J] */
+    const float total_0 = force_0 - momentum_2*nu_1 + 2.0F*momentum_0*nu_2;
+    const float total_1 = force_1 + momentum_2*nu_0 - 2.0F*momentum_1*nu_2;
+    const float total_2 = force_2 - 2.0F*momentum_0*nu_0 + 2.0F*momentum_1*nu_1;
+
+    /* lower_10: I = L D L^T, entry of L [1] */
+    const float lower_10 = inertia_1/inertia_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const float lower_20 = inertia_2/inertia_0;
+
+    /* pivot_1: pivot of I [J s^2] */
+    const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
+
+    /* lower_21: I = L D L^T, entry of L [1] */
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+
+    /* pivot_2: pivot of I [J s^2] */
+    const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
+
+    /* forward_1: forward substitution [J] */
+    const float forward_1 = total_1 - lower_10*total_0;
+
+    /* forward_2: forward substitution [J] */
+    const float forward_2 = total_2 - forward_1*lower_21 - lower_20*total_0;
+
+    /* back_2: back substitution [1/s^2] */
+    const float back_2 = forward_2/pivot_2;
+
+    /* back_1: back substitution [1/s^2] */
+    const float back_1 = forward_1/pivot_1 - back_2*lower_21;
+
+    /* back_0: back substitution [1/s^2] */
+    const float back_0 = total_0/inertia_0 - back_1*lower_10 - back_2*lower_20;
+
+    /* -- end -- */
+    nu_dot[0] = back_0;
+    nu_dot[1] = back_1;
+    nu_dot[2] = back_2;
+}
+
+/* What the state and the reference are worth. */
+static sl2_f32_status sl2_f32_judge(const sl2_f32_state *state, const sl2_f32_reference *reference)
+{
+    sl2_f32_status worst = SL2_F32_OK;
+    worst = sl2_f32_worse(worst,
+            sl2_f32_inspect(state->g, 4, SL2_F32_MAX_INPUT));
+    worst = sl2_f32_worse(worst,
+            sl2_f32_inspect(state->nu, 3, SL2_F32_MAX_INPUT));
+    worst = sl2_f32_worse(worst,
+            sl2_f32_inspect(reference->g, 4, SL2_F32_MAX_INPUT));
+    worst = sl2_f32_worse(worst,
+            sl2_f32_inspect(reference->nu, 3, SL2_F32_MAX_INPUT));
+    worst = sl2_f32_worse(worst,
+            sl2_f32_inspect(reference->nu_dot, 3, SL2_F32_MAX_INPUT));
+    if (worst == SL2_F32_OK) {
+        worst = sl2_f32_on_group(state->g);
+    }
+    if (worst == SL2_F32_OK) {
+        worst = sl2_f32_on_group(reference->g);
+    }
+    return worst;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static sl2_f32_status sl2_f32_verdict(const sl2_f32_command *command,
+        const float clearance)
+{
+    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
+    int row;
+    int i;
+    for (row = 0; row < 4; row++) {
+        for (i = 0; i < 3; i++) {
+            if (!isfinite(rows[row][i])) {
+                return SL2_F32_NONFINITE_INPUT;
+            }
+        }
+    }
+    return clearance < SL2_F32_NEAR_CUT ? SL2_F32_NEAR_CUT_LOCUS : SL2_F32_OK;
+}
+
+sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state *state,
+        const sl2_f32_reference *reference, sl2_f32_command *command)
+{
+    static const sl2_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
+    sl2_f32_status status = sl2_f32_judge(state, reference);
+    if (status == SL2_F32_OK) {
+        float clearance;
+        sl2_f32_law(params, state, reference, command, &clearance);
+        status = sl2_f32_verdict(command, clearance);
+    }
+    if (status >= SL2_F32_NOT_ON_GROUP) {
+        *command = nothing;
+    }
+    return status;
+}
+
+sl2_f32_status sl2_f32_check_params(const sl2_f32_params *params)
+{
+    float pivot[3];
+    int i;
+    if (sl2_f32_inspect(params->inertia, 6, SL2_F32_MAX_PARAM) != SL2_F32_OK) {
+        return SL2_F32_BAD_PARAMS;
+    }
+    if (!(params->lambda > 0.0F && params->lambda <= SL2_F32_MAX_PARAM)) {
+        return SL2_F32_BAD_PARAMS;
+    }
+    if (!(params->k_s > 0.0F && params->k_s <= SL2_F32_MAX_PARAM)) {
+        return SL2_F32_BAD_PARAMS;
+    }
+    sl2_f32_definiteness(params, pivot);
+    for (i = 0; i < 3; i++) {
+        if (!(pivot[i] > 0.0F)) {
+            return SL2_F32_BAD_PARAMS;
+        }
+    }
+    return SL2_F32_OK;
+}
