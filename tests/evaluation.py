@@ -23,7 +23,9 @@ def exactly(d: Derivation, **given: Any) -> dict[str, tuple[Any, ...]]:
     """Outputs by name as mpf, with 130 digits, from exact numbers by the name of their input."""
     values: list[Any] = []
     for quantity in d.inputs:
-        values += map(number, [given[quantity.name]] if quantity.is_scalar else given[quantity.name])
+        values += map(
+            number, [given[quantity.name]] if quantity.is_scalar else given[quantity.name]
+        )
     if id(d) not in _KEPT:
         _KEPT[id(d)] = d, _compiled(d)
     _, run = _KEPT[id(d)]
@@ -38,7 +40,9 @@ def _compiled(d: Derivation) -> Any:
     """The derivation as a function of its inputs' entries, in Python's text of its formulas."""
     entries = ", ".join(str(symbol) for quantity in d.inputs for symbol in quantity.symbols())
     lines = [f"{symbol} = {_PRINTER.doprint(value)}" for symbol, value in d.terms()]
-    given = [f"{q.name!r}: ({''.join(f'{_PRINTER.doprint(e)}, ' for e in row)})" for q, row in d.outputs]
+    given = [
+        f"{q.name!r}: ({''.join(f'{_PRINTER.doprint(e)}, ' for e in row)})" for q, row in d.outputs
+    ]
     text = "\n    ".join([f"def run({entries}):", *lines, f"return {{{', '.join(given)}}}"])
     scope: dict[str, Any] = {"mpmath": mp, "Arc": _arc, "TINY": ABSENT, "SMALL": ABSENT}
     exec(compile(text, d.name, "exec"), scope)

@@ -125,7 +125,8 @@ def element(group: Group, rng: Random, far: bool = True) -> Any:
 def stored(group: Group, g: Any) -> list[Any]:
     """What is kept of an element, by the conventions: see design and docs/conventions.md."""
     if group.factors:
-        return [x for one, block in zip(group.factors, _blocks(group, g)) for x in stored(one, block)]
+        pairs = zip(group.factors, _blocks(group, g), strict=True)
+        return [x for one, block in pairs for x in stored(one, block)]
     if group.name == "S3":
         return list(g[:, 0])
     if group.name[0] == "R" and group.name[1:].isdigit():
@@ -158,8 +159,8 @@ def _diagonal(group: Group, numbers: Sequence[Any]) -> Any:
     size = group.basis[0].rows
     g, before, start = np.zeros((size, size), int).astype(object), 0, 0
     for one in group.factors:
-        m = one.basis[0].rows
-        g[before : before + m, before : before + m] = embedded(one, numbers[start : start + one.size])
+        m, piece = one.basis[0].rows, numbers[start : start + one.size]
+        g[before : before + m, before : before + m] = embedded(one, piece)
         before, start = before + m, start + one.size
     return g
 

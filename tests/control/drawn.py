@@ -60,7 +60,9 @@ def numbers(group: Group, seed: int, pattern: Pattern = ()) -> dict[str, Any]:
     named = ("nu", "nu_r", "nu_r_dot", "momentum", "external", "force")
     given: dict[str, Any] = {name: vector(rng, n) for name in named}
     given |= {name: point(group, rng) for name in ("g", "g_r")}
-    gains = dict(zip(("rate_gain", "reach_gain"), (abs(x) + 1 for x in vector(rng, 2)), strict=True))
+    gains = dict(
+        zip(("rate_gain", "reach_gain"), (abs(x) + 1 for x in vector(rng, 2)), strict=True)
+    )
     return {"inertia": definite(group, rng, pattern or full(group)), **gains, **given}
 
 
@@ -89,7 +91,11 @@ def turning(group: Group, tangent: Fraction | None) -> Any:
     X = points.hat(one, list(x))
     length = {49: 7, 1: 1}[int(-(X @ X).trace() / np.linalg.matrix_rank(X.astype(float)))]
     X, unit = X / length, points.eye(len(X))
-    g = unit + 2 * X @ X if tangent is None else points.solve(unit - tangent * X, unit + tangent * X)
+    g = (
+        unit + 2 * X @ X
+        if tangent is None
+        else points.solve(unit - tangent * X, unit + tangent * X)
+    )
     return [x for f in group.factors or (group,)
             for x in (points.stored(f, g) if f is one else [Fraction(a) for a in f.identity])]  # fmt: skip
 

@@ -67,7 +67,9 @@ def applied(group: str, name: str) -> Derivation:
 def chained(group: str, name: str) -> Derivation:
     """(g, nu) -> the rate of 2 p v by sympy's chain rule from the rates of w and v."""
     d, g, nu = begun(group)
-    cover = GROUPS[group].cover(d.let, g)
+    write = GROUPS[group].cover
+    assert write is not None
+    cover = write(d.let, g)
     law = LAWS[group, name].write
     assert isinstance(law, Quaternion)
     factor = law.factor(d.let, cover.w, cover.v)

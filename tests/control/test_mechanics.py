@@ -1,5 +1,7 @@
 """The mechanics: the connection by its two laws, passivity, and the plant against numpy."""
 
+from collections.abc import Callable
+from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -21,14 +23,14 @@ from derive.lie.catalogue import GROUPS
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
 from derive.verify.precise import mp
-from tests.control.drawn import definite, diagonal, full, numbers, sparse, square
+from tests.control.drawn import Pattern, definite, diagonal, full, numbers, sparse, square
 from tests.evaluation import exactly
 from tests.groups import ALL, each_group
 from tests.oracle import distance, norm, truth
 from tests.points import point, vector
 
 FULL = (True,) * 6
-PATTERNS = {
+PATTERNS: dict[str, Callable[[Group], Pattern]] = {
     "full": full,
     "partial": sparse,
     "diagonal": lambda group: tuple(
@@ -104,9 +106,7 @@ def test_symmetric_fills_rows_and_keeps_zeros() -> None:
 @each_group
 @each_pattern
 @pytest.mark.parametrize("options", OPTIONS, ids=map("-".join, OPTIONS))
-def test_the_plant_is_eulers_equation(
-    group: Group, pattern: str, options: tuple[str, ...]
-) -> None:
+def test_the_plant_is_eulers_equation(group: Group, pattern: str, options: tuple[str, ...]) -> None:
     """I nu' = coad(nu) (I nu + h) + force + external, with the inverse inertia."""
     zeros = PATTERNS[pattern](group)
     given = numbers(group, len(options), zeros)
@@ -126,7 +126,7 @@ def test_the_pivots_are_ratios_of_leading_minors(group: Group, pattern: str) -> 
     found = exactly(definiteness(group, zeros), inertia=upper)["pivot"]
     inertia = square(upper).astype(float)
     minors = [1.0, *(np.linalg.det(inertia[:k, :k]) for k in range(1, group.dim + 1))]
-    wanted = [b / a for a, b in zip(minors, minors[1:], strict=False)]
+    wanted = [b / a for a, b in pairwise(minors)]
     assert_allclose(np.array(found, float), wanted, rtol=1e-11)
 
 

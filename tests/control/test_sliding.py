@@ -32,7 +32,9 @@ FAVOURITES = [next(pair for pair in LAWS if pair[0] == group) for group in ALL]
 Vector = np.ndarray[Any, np.dtype[np.float64]]
 
 each_kind = pytest.mark.parametrize("kind", KINDS)
-each_favourite = pytest.mark.parametrize(("group", "name"), FAVOURITES, ids=map("-".join, FAVOURITES))
+each_favourite = pytest.mark.parametrize(
+    ("group", "name"), FAVOURITES, ids=map("-".join, FAVOURITES)
+)
 
 
 @cache
@@ -103,9 +105,7 @@ def test_tracking_does_not_see_where_the_world_is(group: str, name: str) -> None
     """Left invariance: one element before both configurations changes nothing."""
     known, given = ALL[group], numbers(ALL[group], 3)
     shift = embedded(known, point(known, Random(8)))
-    moved = {
-        key: points.stored(known, shift @ embedded(known, given[key])) for key in ("g", "g_r")
-    }
+    moved = {key: points.stored(known, shift @ embedded(known, given[key])) for key in ("g", "g_r")}
     d = derived(group, name, "tracking")
     assert_same(exactly(d, **{**given, **moved}), exactly(d, **given))
     assert moved["g"] != given["g"]

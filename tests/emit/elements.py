@@ -84,8 +84,9 @@ def _moved(group: Group, turn: Array, random: np.random.Generator) -> Array:
 
 def velocity(group: Group, g: Array, nu: Array) -> Array:
     """The rate of the stored numbers, g hat(nu) in the group's storage; one row each."""
-    numbers, speeds = _cut(g, [one.size for one in parts(group)]), _cut(
-        nu, [one.dim for one in parts(group)]
+    numbers, speeds = (
+        _cut(g, [one.size for one in parts(group)]),
+        _cut(nu, [one.dim for one in parts(group)]),
     )
     pieces = zip(parts(group), numbers, speeds, strict=True)
     return np.concatenate([_velocity(one, a, x) for one, a, x in pieces])

@@ -102,7 +102,13 @@ SPARSE = tuple(
 )
 STEERED = tuple(
     _made(group, law, controller)
-    for group, law in (("SO3", "log"), ("S3", "log"), ("SE2", "log"), ("R3", "log"), ("SL2", "skew"))
+    for group, law in (
+        ("SO3", "log"),
+        ("S3", "log"),
+        ("SE2", "log"),
+        ("R3", "log"),
+        ("SL2", "skew"),
+    )
     for controller in CONTROLLERS
     if controller != "gsmc"
 )

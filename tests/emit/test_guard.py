@@ -58,7 +58,9 @@ def by_numpy(vehicle: Vehicle, rows: Row, folder: Path, **given: Any) -> Any:
 
 def called(built: Library, rows: Row, **given: Any) -> dict[str, Array]:
     """The compiled `control`."""
-    state = {name: rows[name] for name in ("g", "nu", "momentum", "external") if name in rows}
+    state: dict[str, Any] = {
+        name: rows[name] for name in ("g", "nu", "momentum", "external") if name in rows
+    }
     if "g_r" not in rows:
         return built.call("control", state=state, **given)
     reference = {"g": rows["g_r"], "nu": rows["nu_r"], "nu_dot": rows["nu_r_dot"]}

@@ -1,4 +1,4 @@
-"""One arithmetic in every backend, and the paper's: on every group, those made at run time included.
+"""One arithmetic in every backend, and the paper's, on every group, those made here included.
 
 C in double and numpy give the same bits; both, and C in float, are held to 130 digits with the
 inverse inertia; the rate is the complex step of the emitted law.
@@ -103,7 +103,7 @@ def test_the_command_is_the_papers(folder: Path, vehicle: Vehicle, scalar: str) 
 
 @every_vehicle
 def test_the_rate_is_the_complex_step_of_the_law(folder: Path, vehicle: Vehicle) -> None:
-    """Along g' = g hat(nu), through the emitted numpy of `reaching`, which takes complex numbers."""
+    """Along g' = g hat(nu), through the emitted numpy of `reaching`."""
     known, made = group(vehicle), module(vehicle, folder)
     rows = {name: x for name, x in batch(vehicle, 12).items() if name[-2:] != "_r"}
     rows.pop("nu_r_dot", None)

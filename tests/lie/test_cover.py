@@ -39,7 +39,9 @@ def covering(group: str) -> Derivation:
     d = Derivation("cover", "", "")
     g = d.take(quantity("g", len(GROUPS[group].identity)))
     nu = d.take(quantity("nu", 3))
-    cover = GROUPS[group].cover(d.let, g)
+    write = GROUPS[group].cover
+    assert write is not None
+    cover = write(d.let, g)
     w, v = cover.w, cover.v
     rates = cover.rate(d.let, nu)
     d.give(quantity("q", 4), Matrix([w, *v]))

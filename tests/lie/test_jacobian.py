@@ -14,8 +14,8 @@ from tests import points
 from tests.evaluation import exactly
 from tests.groups import ALL
 from tests.lie import written
-from tests.lie.written import ANGLES, CHARTED, SHIFTS, UNTURNED, norm, scale, split
-from tests.oracle import distance, truth
+from tests.lie.written import ANGLES, CHARTED, SHIFTS, UNTURNED, scale, split
+from tests.oracle import distance, norm, truth
 from tests.points import point, vector
 
 LIMIT = mp.mpf("1e-60")

@@ -80,7 +80,7 @@ def test_what_no_form_and_no_equation_sees_is_counted() -> None:
 def test_large_matrices_without_a_form_are_refused() -> None:
     """Stretching one axis of five: no bilinear form, and cofactors of five rows are too many."""
     basis = [matrix(5, **{f"a1{j}": 1}) for j in range(1, 6)]
-    with pytest.raises(ValueError, match="Wide: no bilinear form gives the inverse .* 5 rows"):
+    with pytest.raises(ValueError, match=r"Wide: no bilinear form gives the inverse .* 5 rows"):
         of_basis("Wide", basis, ["1/s"] * 5)
 
 

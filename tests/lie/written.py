@@ -9,11 +9,11 @@ from derive.lie.group import Group
 from derive.lie.jacobian import log_rate
 from derive.routine.derivation import Derivation, Quantity
 from derive.verify import matrix_function as function
-from derive.verify.precise import mp
+from derive.verify.precise import exactly, mp
 from tests import points
 from tests.evaluation import in_double
 from tests.groups import ALL, REBASED, TURNED
-from tests.oracle import exactly, norm, truth
+from tests.oracle import norm, truth
 from tests.points import exact
 
 CHARTED = {name: group for name, group in ALL.items() if group.chart}
@@ -72,10 +72,10 @@ def _mixed(basis: Any, x: Any) -> list[Any]:
     return [mp.fsum(exactly(exact(b)) * a for b, a in zip(one, row, strict=True)) for one in rows]
 
 
-def scale(name: str, sizes: list[Any]) -> Any:
+def scale(name: str, sizes: list[Any]) -> list[Any]:
     """What a coordinate is measured by, from a size of each block of the first basis."""
     blocks = split(name, range(CHARTED[name].dim))
-    each = [size for size, part in zip(sizes, blocks, strict=True) for _ in part]
+    each: list[Any] = [size for size, part in zip(sizes, blocks, strict=True) for _ in part]
     return _mixed(REBASED[name].inv().applyfunc(abs), each) if name in REBASED else each
 
 
