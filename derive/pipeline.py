@@ -185,11 +185,19 @@ def verify(
     with_mutants: bool = False,
 ) -> Report:
     """Compile, run and doubt what `emit` would write; see derive.verify.run."""
-    from derive.verify.reference import Plant
+    from derive.verify.plant import Plant
     from derive.verify.run import run
 
-    gains = dict(vehicle.gains)
-    judged = Plant(vehicle.group, vehicle.law, vehicle.inertia, gains["lambda"], gains["k_s"])
+    gains, own = dict(vehicle.gains), vehicle.own
+    judged = Plant(
+        vehicle.group,
+        vehicle.law,
+        vehicle.inertia,
+        gains["lambda"],
+        gains["k_s"],
+        own=own.basis if own else None,
+        options=vehicle.options,
+    )
     files = texts(vehicle, cached)
     return run(
         vehicle.name,

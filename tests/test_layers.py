@@ -57,6 +57,7 @@ ORACLES = (
     *("derive.verify.truth", "derive.verify.precise", "derive.verify.casadi_twin"),
     *("derive.verify.matrix_function", "derive.verify.matrix_factor"),
     *("derive.verify.matrix_group", "derive.verify.matrix_truth"),
+    *("derive.verify.own_factor", "derive.verify.factor_law", "derive.verify.casadi_group"),
 )
 """Modules that judge: they import nothing of ours but each other."""
 
@@ -78,6 +79,7 @@ THIRD_PARTY = {
     "derive.native": ("cffi", "numpy"),
     "derive.verify": ("mpmath", "numpy", "sympy"),
     "derive.verify.casadi_twin": ("casadi", "numpy"),
+    "derive.verify.casadi_group": ("casadi", "numpy"),
     "derive.simulate": ("numpy", "scipy"),
     "derive.cli": ("click",),
 }
