@@ -218,7 +218,8 @@ def prove(vehicle: Vehicle | None, progress: Callable[[str], None]) -> ProofRepo
     if vehicle is None:
         return run.prove(None, progress=progress)
     check_facts(vehicle, resolve(vehicle))
-    return run.prove(vehicle.group, vehicle.inertia, progress)
+    group = group_of(vehicle)
+    return run.prove(group, vehicle.inertia, progress, law=vehicle.law, options=vehicle.options)
 
 
 def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:
