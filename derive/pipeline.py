@@ -19,6 +19,7 @@ from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
 from derive.vehicle.check import pivots
 from derive.vehicle.group import group_of
+from derive.vehicle.twin import refuse_twins
 from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:
@@ -148,7 +149,7 @@ def _refuse_lost(vehicle: Vehicle) -> None:
 
 def emit(vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None) -> list[Written]:
     """Write out/NAME of every vehicle whole, or nothing at all. Raises InputError."""
-    _refuse_twins(vehicles)
+    refuse_twins(vehicles)
     for vehicle in vehicles:
         place.refuse_strangers(out / vehicle.name)
         _refuse_lost(vehicle)
@@ -166,7 +167,7 @@ def check(
     vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None
 ) -> list[tuple[Vehicle, list[Drift]]]:
     """Where each out/NAME is not, byte for byte, what the vehicle file gives."""
-    _refuse_twins(vehicles)
+    refuse_twins(vehicles)
     drifts = []
     for vehicle in vehicles:
         expected = texts(vehicle, cached)
@@ -220,26 +221,6 @@ def prove(vehicle: Vehicle | None, progress: Callable[[str], None]) -> ProofRepo
     check_facts(vehicle, resolve(vehicle))
     group = group_of(vehicle)
     return run.prove(group, vehicle.inertia, progress, law=vehicle.law, options=vehicle.options)
-
-
-def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:
-    """Raise InputError when two would share a folder, or macros in C, which are upper case."""
-    sources: dict[str, str] = {}
-    for vehicle in vehicles:
-        other = sources.get(vehicle.name.upper())
-        sources[vehicle.name.upper()] = vehicle.source
-        if other is not None and Path(other).resolve() == Path(vehicle.source).resolve():
-            found = f"the same file twice, the first time as {other}"
-            expected = "each vehicle file once"
-            raise InputError(vehicle.source, "", expected, found, "name it once in this call")
-        if other is not None:
-            raise InputError(
-                file=vehicle.source,
-                key="name",
-                expected="names that differ in more than capitals, one for each vehicle",
-                found=f"{vehicle.name!r} here, and in {other}",
-                remedy="rename one of the two, or leave it out of this call",
-            )
 
 
 def _values(vehicle: Vehicle) -> dict[str, Any]:

@@ -50,7 +50,7 @@ def _speed(vehicle: Plant, nu_e: Array) -> Array:
     if vehicle.own is None:
         return np.asarray(length)
     (hat,) = space(vehicle.space).hat(nu_e)
-    return np.maximum(length, 2 * np.linalg.norm(hat, 2, axis=(1, 2))[:, None])
+    return np.asarray(np.maximum(length, 2 * np.linalg.norm(hat, 2, axis=(1, 2))[:, None]))
 
 
 def complex_step(vehicle: Plant, law: Law, states: States, nu_e: Array) -> dict[str, Array]:

@@ -96,8 +96,11 @@ def turning(group: Group, tangent: Fraction | None) -> Any:
         if tangent is None
         else points.solve(unit - tangent * X, unit + tangent * X)
     )
-    return [x for f in group.factors or (group,)
-            for x in (points.stored(f, g) if f is one else [Fraction(a) for a in f.identity])]  # fmt: skip
+    rows = [
+        points.stored(f, g) if f is one else [Fraction(a) for a in f.identity]
+        for f in group.factors or (group,)
+    ]
+    return [x for row in rows for x in row]
 
 
 def beside(group: Group, stored: Sequence[Any], seed: int) -> list[Any]:

@@ -85,8 +85,10 @@ def coordinates(name: str, angle: Any, shift: Any, seed: int) -> list[Any]:
     turn, *shifts = split(name, random.normal(size=CHARTED[name].dim))
     lengths = [angle, *(shift for _ in shifts)]
     parts = zip((turn, *shifts), lengths, strict=True)
-    return rebased(name, [exactly(a) * length / norm(list(map(exactly, part)))
-                          for part, length in parts for a in part])  # fmt: skip
+    x = [
+        exactly(a) * length / norm(list(map(exactly, part))) for part, length in parts for a in part
+    ]
+    return list(rebased(name, x))
 
 
 def onto(name: str, stored: Any) -> Any:
