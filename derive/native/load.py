@@ -106,9 +106,13 @@ class Library:
         nu_r: ArrayLike | None = None,
         nu_r_dot: ArrayLike | None = None,
         params: Fields | None = None,
+        **extras: ArrayLike,
     ) -> Arrays:
-        """Guarded law: force, s, nu_u, nu_u_dot, (…, n), and status, (…); SI units."""
-        state = {"g": g, "nu": nu}
+        """Guarded law: force, s, nu_u, nu_u_dot, (…, n), and status, (…); SI units.
+
+        extras, here and below: `momentum` and `external`, (…, n), where the state holds them.
+        """
+        state = {"g": g, "nu": nu, **extras}
         if g_r is None or nu_r is None or nu_r_dot is None:
             return self.call("control", params=params, state=state)
         reference = {"g": g_r, "nu": nu_r, "nu_dot": nu_r_dot}
@@ -122,20 +126,30 @@ class Library:
         nu_r: ArrayLike,
         nu_r_dot: ArrayLike,
         params: Fields | None = None,
+        **extras: ArrayLike,
     ) -> Arrays:
         """Bare law with a reference: force, s, nu_u, nu_u_dot, (…, n); eq. (TckCtrl)."""
+        state = {"g": g, "nu": nu, **extras}
         reference = {"g": g_r, "nu": nu_r, "nu_dot": nu_r_dot}
-        return self.call("tracking", params=params, state={"g": g, "nu": nu}, reference=reference)
+        return self.call("tracking", params=params, state=state, reference=reference)
 
-    def reaching(self, g: ArrayLike, nu: ArrayLike, params: Fields | None = None) -> Arrays:
+    def reaching(
+        self, g: ArrayLike, nu: ArrayLike, params: Fields | None = None, **extras: ArrayLike
+    ) -> Arrays:
         """Bare law without a reference: force, s, nu_u, nu_u_dot, (…, n); eq. (Ctrl2)."""
-        return self.call("reaching", params=params, state={"g": g, "nu": nu})
+        return self.call("reaching", params=params, state={"g": g, "nu": nu, **extras})
 
     def plant(
-        self, g: ArrayLike, nu: ArrayLike, force: ArrayLike, params: Fields | None = None
+        self,
+        g: ArrayLike,
+        nu: ArrayLike,
+        force: ArrayLike,
+        params: Fields | None = None,
+        **extras: ArrayLike,
     ) -> Array:
         """Acceleration nu_dot, (…, n), under a force, (…, n); eq. (EulerP)."""
-        return self.call("plant", params=params, state={"g": g, "nu": nu}, force=force)["nu_dot"]
+        state = {"g": g, "nu": nu, **extras}
+        return self.call("plant", params=params, state=state, force=force)["nu_dot"]
 
     def check_params(self, params: Fields | None = None) -> Array:
         """Status of the parameters, (…): OK or BAD_PARAMS."""

@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from derive.emit.literal import python_name
 from derive.native.compile import CompilerMissing, build
 from derive.native.load import Library, load_module
+from derive.verify.plant import Plant
 from derive.verify.sample import States
+from derive.verify.shape import space
 
 Outputs = dict[str, NDArray[Any]]
 COMMAND = ("force", "s", "nu_u", "nu_u_dot")
@@ -32,18 +34,13 @@ class Backend:
     check_params: Callable[[Mapping[str, Any]], int]
 
 
-def numpy_backend(module: Any, has_reference: bool) -> Backend:
+def numpy_backend(module: Any, vehicle: Plant, has_reference: bool) -> Backend:
     """The emitted numpy module, in double precision."""
 
     def run(routine: str, states: States, force: Any = None) -> Outputs:
         if routine == "plant":
-            return {"nu_dot": module.plant(states.nu, force)}
-        g, g_r = (_shaped(x) for x in (states.g, states.g_r))
-        call = getattr(module, routine)
-        if routine == "reaching" or not has_reference:
-            command = call(g, states.nu)
-        else:
-            command = call(g, states.nu, g_r, states.nu_r, states.nu_r_dot)
+            return {"nu_dot": module.plant(states.nu, *extras(vehicle, states), force)}
+        command = call(module, vehicle, routine, states, has_reference)
         return command._asdict() if routine == "control" else _without_status(command._asdict())
 
     def check_params(given: Mapping[str, Any]) -> int:
@@ -53,17 +50,40 @@ def numpy_backend(module: Any, has_reference: bool) -> Backend:
     return Backend("numpy f64", "f64", run, check_params)
 
 
-def c_backend(library: Library, scalar: str, has_reference: bool) -> Backend:
+def call(
+    module: Any,
+    vehicle: Plant,
+    routine: str,
+    states: States,
+    has_reference: bool,
+    params: Any = None,
+) -> Any:
+    """The command of a law of the numpy module."""
+    shape = space(vehicle.space).element
+    g, g_r = (x.reshape(-1, *shape) for x in (states.g, states.g_r))
+    given = [g, states.nu, *extras(vehicle, states)]
+    if routine != "reaching" and has_reference:
+        given += [g_r, states.nu_r, states.nu_r_dot]
+    return getattr(module, routine)(*given, *(() if params is None else (params,)))
+
+
+def extras(vehicle: Plant, states: States) -> list[NDArray[Any]]:
+    """What a state holds besides, in the order of the emitted arguments."""
+    return [getattr(states, name) for name in ("momentum", "external") if name in vehicle.options]
+
+
+def c_backend(library: Library, scalar: str, vehicle: Plant, has_reference: bool) -> Backend:
     """Emitted C in one precision, compiled for this machine."""
 
     def run(routine: str, states: States, force: Any = None) -> Outputs:
+        also = {name: getattr(states, name) for name in vehicle.options}
         if routine == "plant":
-            return {"nu_dot": library.plant(states.g, states.nu, force)}
+            return {"nu_dot": library.plant(states.g, states.nu, force, **also)}
         if routine == "reaching":
-            return library.reaching(states.g, states.nu)
+            return library.reaching(states.g, states.nu, **also)
         references = (states.g_r, states.nu_r, states.nu_r_dot) if has_reference else ()
-        call = library.control if routine == "control" else library.tracking
-        return call(states.g, states.nu, *references)
+        law = library.control if routine == "control" else library.tracking
+        return law(states.g, states.nu, *references, **also)
 
     def check_params(given: Mapping[str, Any]) -> int:
         return int(library.check_params(given))
@@ -72,7 +92,7 @@ def c_backend(library: Library, scalar: str, has_reference: bool) -> Backend:
 
 
 def backends(
-    name: str, texts: Mapping[str, str], folder: Path, has_reference: bool
+    name: str, texts: Mapping[str, str], folder: Path, vehicle: Plant, has_reference: bool
 ) -> tuple[list[Backend], Any, list[str]]:
     """Write, compile and load a vehicle's files in folder.
 
@@ -86,7 +106,7 @@ def backends(
     module = None
     if f"numpy/{name}.py" in texts:
         module = load_module(folder / "numpy" / f"{name}.py")
-        found.append(numpy_backend(module, has_reference))
+        found.append(numpy_backend(module, vehicle, has_reference))
     for scalar in ("f64", "f32"):
         prefix = f"{name}_{scalar}"
         source = folder / "c" / "src" / f"{prefix}.c"
@@ -98,13 +118,8 @@ def backends(
             missing.append(f"C {scalar}: {error}")
             continue
         header = folder / "c" / "include" / f"{prefix}.h"
-        found.append(c_backend(Library(header, shared, prefix), scalar, has_reference))
+        found.append(c_backend(Library(header, shared, prefix), scalar, vehicle, has_reference))
     return found, module, missing
-
-
-def _shaped(stored: NDArray[Any]) -> NDArray[Any]:
-    """Stored numbers (N, k) in the shape the numpy module takes: matrices as matrices."""
-    return stored.reshape(-1, 3, 3) if stored.shape[-1] == 9 else stored
 
 
 def _without_status(command: Outputs) -> Outputs:

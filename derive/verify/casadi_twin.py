@@ -13,7 +13,9 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-INPUTS = ("g", "nu", "g_r", "nu_r", "nu_r_dot", "inertia", "lambda", "k_s")
+INPUTS = (
+    "g", "nu", "g_r", "nu_r", "nu_r_dot", "momentum", "external", "inertia", "lambda", "k_s",
+)  # fmt: skip
 OUTPUTS = ("nu_u", "nu_u_dot", "eta_dot", "force")
 
 
@@ -79,15 +81,17 @@ def _half_log(q: ca.SX) -> ca.SX:
     return ca.acos(q[0]) / ca.norm_2(q[1:]) * q[1:]  # eq. (KinCtrlLawS3)
 
 
-_LAWS: dict[tuple[str, str], Callable[[ca.SX], ca.SX]] = {
+LAWS: dict[tuple[str, str], Callable[[ca.SX], ca.SX]] = {
     ("SO3", "log"): lambda r: _angle(r) / (2 * ca.sin(_angle(r))) * _odd(r),
     ("SO3", "lee"): _lee,
     ("SO3", "skew"): lambda r: _odd(r) / 2,
     ("SO3", "gibbs"): lambda r: 2 * ca.tan(_angle(r) / 2) / (2 * ca.sin(_angle(r))) * _odd(r),
     ("SO3", "mrp"): lambda r: 4 * ca.tan(_angle(r) / 4) / (2 * ca.sin(_angle(r))) * _odd(r),
+    ("SO3", "cayley"): lambda r: 2 * ca.tan(_angle(r) / 2) / (2 * ca.sin(_angle(r))) * _odd(r),
     ("S3", "log"): lambda q: 2 * _half_log(q),
     ("S3", "half_log"): _half_log,
     ("S3", "mrp"): lambda q: 4 * q[1:] / (1 + q[0]),
+    ("S3", "cayley"): lambda q: 4 * q[1:] / (1 + q[0]),
     ("S3", "vec"): lambda q: 2 * q[1:],
     ("S3", "sign_vec"): lambda q: ca.sign(q[0]) * q[1:],
 }
@@ -100,7 +104,7 @@ def _rates(group: str, law: str) -> ca.Function:
     g_e = ca.SX.sym("g_e", *g.shape)
     nu_e, nu_r, nu_r_dot = (ca.SX.sym(name, 3) for name in ("nu_e", "nu_r", "nu_r_dot"))
     flow = ca.vec(g.velocity(g_e, nu_e))
-    nu_u, eta = _LAWS[group, law](g_e), g.to_body(g_e, nu_r)
+    nu_u, eta = LAWS[group, law](g_e), g.to_body(g_e, nu_r)
     nu_u_dot = ca.jtimes(nu_u, ca.vec(g_e), flow)
     everything = ca.vertcat(ca.vec(g_e), nu_r)
     eta_dot = ca.jtimes(eta, everything, ca.vertcat(flow, nu_r_dot))
@@ -112,22 +116,24 @@ def twin(group: str, law: str) -> ca.Function:
     """The tracking law of eqs. (TckCtrlSO3) and (TckCtrlS3), J^-1 included.
 
     Inputs, as named in INPUTS: g and g_r as stored (9 row-major or 4 scalar first), velocities
-    in rad/s, inertia (3, 3) in kg m^2, gains in 1/s. Outputs, as named in OUTPUTS, (3,) each:
+    in rad/s, momentum (of wheels) in N m s, external (a known torque) in N m, inertia (3, 3) in
+    kg m^2, gains in 1/s. Outputs, as named in OUTPUTS, (3,) each:
     the force in N m. KeyError when the law does not exist on the group.
     """
     g = _GROUPS[group]
     size = g.shape[0] * g.shape[1]
-    shapes = ((size, 1), (3, 1), (size, 1), (3, 1), (3, 1), (3, 3), (1, 1), (1, 1))
+    vectors = ((3, 1),) * 4
+    shapes = ((size, 1), (3, 1), (size, 1), *vectors, (3, 3), (1, 1), (1, 1))
     symbols = [ca.SX.sym(name, *shape) for name, shape in zip(INPUTS, shapes, strict=True)]
-    stored, nu, stored_r, nu_r, nu_r_dot, inertia, slope, reach = symbols
+    stored, nu, stored_r, nu_r, nu_r_dot, momentum, external, inertia, slope, reach = symbols
     g_e = g.error(g.element(stored_r), g.element(stored))
     eta = g.to_body(g_e, nu_r)
     nu_e = nu - eta
     nu_u, nu_u_dot, eta_dot = _rates(group, law)(g_e, nu_e, nu_r, nu_r_dot)
     s = nu_e + slope * nu_u
-    turning = ca.cross(inertia @ nu, slope * nu_u - eta)
+    turning = ca.cross(inertia @ nu + momentum, slope * nu_u - eta)
     wanted = ca.inv(inertia) @ turning - slope * nu_u_dot + eta_dot - reach * s
-    outputs = [nu_u, nu_u_dot, eta_dot, inertia @ wanted]
+    outputs = [nu_u, nu_u_dot, eta_dot, inertia @ wanted - external]
     return ca.Function("twin", symbols, outputs, list(INPUTS), list(OUTPUTS))
 
 

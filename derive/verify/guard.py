@@ -9,14 +9,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.control.kinematic import LAWS
+from derive.control.kinematic import laws_of
 from derive.emit.status import STATUSES
 from derive.emit.target import SCALARS
 from derive.verify.backend import COMMAND, Backend
 from derive.verify.batch import at_rest, ladder
 from derive.verify.check import Check
+from derive.verify.derived import lie_group
 from derive.verify.limits import LIMITS
+from derive.verify.plant import Plant
 from derive.verify.sample import States
+from derive.verify.shape import space
 from derive.verify.subject import Subject, rows
 
 Array = NDArray[Any]
@@ -47,7 +50,7 @@ def _lets_through(subject: Subject, backend: Backend) -> Check:
 
 def _status(subject: Subject, clearance: Array, scalar: str) -> tuple[Array, Array]:
     """Status by clearance, and where rounding cannot move it."""
-    kind, law = SCALARS[scalar], LAWS[subject.vehicle.group, subject.vehicle.law]
+    kind, law = SCALARS[scalar], laws_of(lie_group(subject.vehicle))[subject.vehicle.law]
     near, refused = float(kind.near_cut), float(kind.refused) if law.is_pole else 0.0
     status = np.where(clearance < near, VALUE["NEAR_CUT_LOCUS"], VALUE["OK"])
     status = np.where(clearance < refused, VALUE["OUT_OF_RANGE"], status)
@@ -59,25 +62,42 @@ def _refuses(subject: Subject, backend: Backend) -> Check:
     """NaN, infinity, too large, off the group, in every input in turn: a zero command."""
     good = ladder(subject.vehicle, backend.scalar, 1, subject.seed, is_moving=True)
     kind = SCALARS[backend.scalar]
-    inputs = ("g", "nu", "g_r", "nu_r", "nu_r_dot") if subject.has_reference else ("g", "nu")
+    inputs = ("g", "nu", *subject.vehicle.options)
+    inputs += ("g_r", "nu_r", "nu_r_dot") if subject.has_reference else ()
     bad = np.zeros(len(good.angle), dtype=bool)
     for name in inputs:
-        harms = [(np.nan, "NONFINITE_INPUT"), (-np.inf, "NONFINITE_INPUT")]
-        harms.append((2 * float(kind.max_input), "OUT_OF_RANGE"))
+        harms = [(_with(good, name, value), status) for value, status in (
+            (np.nan, "NONFINITE_INPUT"), (-np.inf, "NONFINITE_INPUT"),
+            (2 * float(kind.max_input), "OUT_OF_RANGE"))]  # fmt: skip
         if name in ("g", "g_r"):
-            harms.append((2.0, "NOT_ON_GROUP"))
-        for value, status in harms:
-            command = backend.run("control", _with(good, name, value))
+            harms += [(off, "NOT_ON_GROUP") for off in _off_group(subject.vehicle, good, name)]
+        for states, status in harms:
+            command = backend.run("control", states)
             bad |= command["status"] != VALUE[status]
             bad |= np.any([(command[n] != 0).any(-1) for n in COMMAND], axis=0)
     return rows("control: bad input refused", backend.name, bad, good)
 
 
-def _with(states: States, name: str, value: float) -> States:
+def _with(states: States, name: str, value: float, among: Array | None = None) -> States:
     """The same states, one number of one input replaced, another one in each row."""
     array = getattr(states, name).copy()
-    array[np.arange(len(array)), np.arange(len(array)) % array.shape[1]] = value
+    places = np.arange(array.shape[1]) if among is None else among
+    array[np.arange(len(array)), places[np.arange(len(array)) % len(places)]] = value
     return replace(states, **{name: array})
+
+
+def _off_group(vehicle: Plant, states: States, name: str) -> Iterator[States]:
+    """The same off the group: one number made 2, all of them doubled on a user's group.
+
+    On R^n there is none; nor is a double where all multiples of an element are elements.
+    """
+    group = space(vehicle.space)
+    if vehicle.own is None:
+        fixed = np.flatnonzero(np.concatenate([one.is_fixed() for one in group.shapes]))
+        if len(fixed):
+            yield _with(states, name, 2.0, fixed)
+    elif not group.shapes[0].holds_one():
+        yield replace(states, **{name: 2 * getattr(states, name)})
 
 
 def _judges_params(subject: Subject, backend: Backend) -> Check:

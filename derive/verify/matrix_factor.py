@@ -98,6 +98,10 @@ class Factor:
         """Stored numbers to the matrix, B replaced by its orthogonal polar factor."""
         return self.onto(self.embed(self, numbers))
 
+    def keep(self, a: Matrix) -> Vector:
+        """Matrix to the k stored numbers."""
+        return self.store(self, a)
+
     def onto(self, a: Matrix) -> Matrix:
         """The same with B on the group; ValueError where no rotation is nearest."""
         block, columns = self.parts(a)

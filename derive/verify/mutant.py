@@ -15,7 +15,7 @@ from itertools import combinations
 import sympy
 from sympy import Add, Expr, Mul, Piecewise, Pow, Rational, Symbol
 
-from derive.lie.kernel import Arc, coefficients
+from derive.lie.kernel import NAMES, Arc, coefficients
 from derive.routine.derivation import Derivation
 from derive.verify.limits import LIMITS
 
@@ -90,7 +90,9 @@ def _inside(value: Expr) -> Iterator[tuple[str, Expr]]:
     elif isinstance(value, sympy.Abs):
         yield "absolute value dropped", value.args[0]
     elif isinstance(value, Arc):
-        yield "next kernel function", Arc(value.args[0] + 1, value.args[1])
+        order = int(value.args[0])
+        other = order + 1 if order + 1 < len(NAMES) else order - 1
+        yield "next kernel function", Arc(other, value.args[1])
 
 
 def _cases(value: Piecewise) -> Iterator[tuple[str, Expr]]:

@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import casadi_twin
-from derive.verify.reference import Plant
-from derive.verify.sample import States, cross_matrix, hamilton
+from derive.verify import casadi_group, casadi_twin
+from derive.verify.natural import Natural, blocks_of, lengths
+from derive.verify.plant import Plant
+from derive.verify.sample import States
+from derive.verify.shape import space
 
 Array = NDArray[Any]
 Law = Callable[[States], Mapping[str, Array]]
@@ -27,95 +29,102 @@ WEIGHTS = {1: 3 / 4, 2: -3 / 20, 3: 1 / 60}
 IMAGINARY = 1e-30
 
 
-def differences(law: Law, states: States, nu_e: Array) -> dict[str, Array]:
+def differences(vehicle: Plant, law: Law, states: States, nu_e: Array) -> dict[str, Array]:
     """d/dt of every output by a 6th-order central difference, (N, n).
 
     The step is 1e-2 divided by the speed, so that it is an arc of 1e-2 rad.
     """
-    step = STEP / np.maximum(0.3, np.linalg.norm(nu_e, axis=1, keepdims=True))
+    step = STEP / np.maximum(0.3, _speed(vehicle, nu_e))
     total: dict[str, Array] = {}
     for i, weight in WEIGHTS.items():
-        ahead, behind = (law(moved(states, nu_e, side * i * step)) for side in (1, -1))
+        ahead, behind = (law(moved(vehicle, states, nu_e, side * i * step)) for side in (1, -1))
         for name, value in ahead.items():
             change = weight * (value - behind[name]) / step
             total[name] = total.get(name, 0.0) + change
     return total
 
 
-def complex_step(law: Law, states: States, nu_e: Array) -> dict[str, Array]:
+def _speed(vehicle: Plant, nu_e: Array) -> Array:
+    """|nu_e|, (N, 1); in whatever basis a user's group has, as fast as ad can turn: 2 |hat|."""
+    length = np.linalg.norm(nu_e, axis=1, keepdims=True)
+    if vehicle.own is None:
+        return np.asarray(length)
+    (hat,) = space(vehicle.space).hat(nu_e)
+    return np.asarray(np.maximum(length, 2 * np.linalg.norm(hat, 2, axis=(1, 2))[:, None]))
+
+
+def complex_step(vehicle: Plant, law: Law, states: States, nu_e: Array) -> dict[str, Array]:
     """d/dt of every output as the imaginary part after an imaginary step of 1e-30, (N, n)."""
     small = 1j * IMAGINARY
-    if states.g.shape[1] == 4:
-        spin = np.hstack([np.zeros_like(nu_e[:, :1]), nu_e])
-        g = states.g + small * hamilton(states.g, spin) / 2
-    else:
-        rotation = states.g.reshape(-1, 3, 3)
-        g = states.g + small * (rotation @ cross_matrix(nu_e)).reshape(-1, 9)
+    g = states.g + small * space(vehicle.space).tangent(states.g, nu_e)
     there = replace(states, g=g, nu_r=states.nu_r + small * states.nu_r_dot)
     return {name: value.imag / IMAGINARY for name, value in law(there).items()}
 
 
-def moved(states: States, nu_e: Array, time: Array) -> States:
+def moved(vehicle: Plant, states: States, nu_e: Array, time: Array) -> States:
     """The states after flowing for a time (N, 1) in s at constant nu_e and nu_r_dot."""
-    speed = np.linalg.norm(nu_e, axis=1, keepdims=True)
-    angle, axis = speed * time, nu_e / speed
-    if states.g.shape[1] == 4:
-        g = hamilton(states.g, np.hstack([np.cos(angle / 2), np.sin(angle / 2) * axis]))
-    else:
-        hat = cross_matrix(axis)
-        turn = np.sin(angle)[..., None] * hat + 2 * np.sin(angle / 2)[..., None] ** 2 * hat @ hat
-        g = (states.g.reshape(-1, 3, 3) @ (np.eye(3) + turn)).reshape(-1, 9)
+    g = space(vehicle.space).flowed(states.g, time * nu_e)
     return replace(states, g=g, nu_r=states.nu_r + time * states.nu_r_dot)
 
 
 def twin(vehicle: Plant, states: States) -> dict[str, Array]:
     """nu_u, nu_u_dot, eta_dot and force of the printed formulas, differentiated by CasADi."""
-    given = {name: getattr(states, name) for name in ("nu", "nu_r", "nu_r_dot")}
+    names = ("nu", "nu_r", "nu_r_dot", "momentum", "external")
+    given: dict[str, Any] = {name: getattr(states, name) for name in names}
     inertia, rate_gain, reach_gain = vehicle.stored("f64")
-    given |= {"g": states.g, "g_r": states.g_r}
     given |= {"inertia": np.array(inertia), "lambda": rate_gain, "k_s": reach_gain}
-    return casadi_twin.evaluate(casadi_twin.twin(vehicle.group, vehicle.law), given)
+    if vehicle.is_attitude:
+        given |= {"g": states.g, "g_r": states.g_r}
+        return casadi_twin.evaluate(casadi_twin.twin(vehicle.group, vehicle.law), given)
+    group = space(vehicle.space)
+    for name in ("g", "g_r"):
+        for place, a in enumerate(group.matrices(getattr(states, name))):
+            given[f"{name}_{place}"] = a
+    return casadi_twin.evaluate(casadi_group.twin(vehicle.space, vehicle.law), given)
 
 
 def whole_force(
-    vehicle: Plant, nu: Array, eta: Array, nu_u: Array, eta_dot: Array, nu_u_dot: Array
+    vehicle: Plant, states: States, eta: Array, nu_u: Array, eta_dot: Array, nu_u_dot: Array
 ) -> Array:
-    """J f_u as eq. (TckCtrlSO3) prints it, from rates found elsewhere, (N, 3) in N m."""
+    """I f_u as eq. (TckCtrl) prints it, from rates found elsewhere, (N, n)."""
     rows, rate_gain, reach_gain = vehicle.stored("f64")
-    inertia = np.array(rows)
+    inertia, nu = np.array(rows), states.nu
     turning = rate_gain * nu_u - eta
     s = nu - eta + rate_gain * nu_u
     wanted = eta_dot - rate_gain * nu_u_dot - reach_gain * s
-    return np.asarray(np.cross(nu @ inertia, turning) + wanted @ inertia)
+    carried = space(vehicle.space).coad(turning, nu @ inertia + states.momentum)
+    return np.asarray(carried + wanted @ inertia - states.external)
 
 
-def body_reference(states: States) -> Array:
-    """eta = R_e^T nu_r, (N, 3), rad/s."""
-    if states.g.shape[1] == 4:
-        flip = np.array([1.0, -1.0, -1.0, -1.0])
-        error = hamilton(states.g_r * flip, states.g)
-        spin = np.hstack([np.zeros_like(states.nu_r[:, :1]), states.nu_r])
-        return np.asarray(hamilton(hamilton(error * flip, spin), error)[:, 1:])
-    rotation, reference = (x.reshape(-1, 3, 3) for x in (states.g, states.g_r))
-    return np.asarray(np.einsum("nji,njk,nk->ni", rotation, reference, states.nu_r))
+def body_reference(vehicle: Plant, states: States) -> Array:
+    """eta = Ad(g_e^-1) nu_r, (N, n)."""
+    group = space(vehicle.space)
+    return group.pull(group.error(states.g_r, states.g), states.nu_r)
 
 
 def term_scales(vehicle: Plant, states: States) -> dict[str, Array]:
-    """Length of the terms of a rate or of the force, where they can cancel, (N,).
+    """Length of the terms of a rate or of the force, where they can cancel, (N, blocks).
 
     nu_e = nu - eta rounds at eps (|nu| + |eta|) / 2, eta_dot has |nu_r_dot| + |nu_e| |eta|, and
     the force |I| (|eta_dot| + (lambda + k_s) |nu_e|).
     """
-    eta = body_reference(states)
-    vectors = (states.nu, eta, states.nu - eta, states.nu_r_dot)
-    nu, turning, speed, growth = (np.linalg.norm(x, axis=-1) for x in vectors)
-    scale = growth + speed * turning
-    rows, rate_gain, reach_gain = vehicle.stored("f64")
-    force = np.linalg.norm(rows, 2) * (scale + (rate_gain + reach_gain) * speed)
-    return {"nu_u_dot": (nu + turning) / 2, "eta_dot": scale, "force": force}
+    return _natural(vehicle, states, {}).terms()
 
 
-def relative(found: Array, expected: Array, scale: Array | float = 0.0) -> Array:
+def step_scales(vehicle: Plant, states: States, nu_u: Array) -> dict[str, Array]:
+    """The same for differences, whose step is chosen for the velocity as a whole."""
+    return _natural(vehicle, states, {"nu_u": nu_u}).stepped()
+
+
+def _natural(vehicle: Plant, states: States, outputs: dict[str, Array]) -> Natural:
+    still = np.zeros((len(states.angle), len(space(vehicle.space).shapes)))
+    nu_e = states.nu - body_reference(vehicle, states)
+    return Natural(vehicle, states, still, {"nu_e": nu_e, **outputs})
+
+
+def relative(vehicle: Plant, found: Array, expected: Array, scale: Array | float = 0.0) -> Array:
     """|found - expected| over |expected|, or over a scale where that is larger, (N,)."""
-    off = np.linalg.norm(found - expected, axis=-1)
-    return np.asarray(off / np.maximum(np.linalg.norm(expected, axis=-1), scale))
+    blocks = blocks_of(vehicle)
+    off, size = (lengths(blocks, x) for x in (found - expected, expected))
+    size = np.maximum(size, scale)
+    return np.asarray((off / np.where(size > 0, size, 1.0)).max(-1))

@@ -1,67 +1,53 @@
 """Truth over a batch: each number as a pair of doubles, so that an error of 0.01 eps shows.
 
-Within 8 eps of the cut locus of SO3 either branch is right: there a row has two truths.
+Within 8 eps of the cut locus of a rotation either branch is right: there a row has two truths.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import truth
-from derive.verify.limits import EPS, LIMITS
-from derive.verify.sample import DTYPES, States
+from derive.verify import matrix_truth, truth
+from derive.verify.branch import Turn, at_cut, clearance, rotations, turns
+from derive.verify.limits import EPS
+from derive.verify.natural import Natural, blocks_of
+from derive.verify.plant import Plant
+from derive.verify.sample import States
+from derive.verify.shape import Block
+
+__all__ = ["Pair", "Plant", "Truth", "plant", "reaching", "tracking"]
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
 
-
-POLES = (("S3", "log"), ("S3", "half_log"), ("S3", "mrp"))
+POLES = ("log", "half_log", "mrp", "cayley")
 """Laws without a bound near -i."""
 
-HALVES = ("half_log", "lee", "sign_vec")
-"""Laws that grow with half the angle: their natural scale is half that of the others."""
-
-
-@dataclass(frozen=True)
-class Plant:
-    """The numbers of a vehicle that the truth needs, exact: inertia (3, 3) and gains."""
-
-    group: str
-    law: str
-    inertia: tuple[tuple[Fraction, ...], ...]
-    rate_gain: Fraction
-    reach_gain: Fraction
-
-    def stored(self, scalar: str) -> tuple[list[list[float]], float, float]:
-        """Inertia and gains as that scalar keeps them."""
-
-        def kept(value: Fraction) -> float:
-            return float(np.asarray(float(value), DTYPES[scalar]))
-
-        inertia = [[kept(value) for value in row] for row in self.inertia]
-        return inertia, kept(self.rate_gain), kept(self.reach_gain)
+STATE = ("momentum", "external")
+OUTPUTS = ("force", "s", "nu_u", "nu_u_dot")
 
 
 @dataclass(frozen=True)
 class Truth:
     """Outputs by name, (N, n) as high and low part, for each branch; the distance from the cut.
 
-    scales: natural scale of an output where it is larger than its length, (N,)
-    error:  unit quaternion of each row's error, to 130 digits
+    scales: natural scale of an output where it is larger than its length, (N,) or (N, blocks)
+    error:  the error of each row, to 130 digits: for each factor its element and its quaternion
     conditioning: what a relative error on the move counts: s towards a pole at -i, where the
             product q_r^-1 q itself rounds at eps/s; with the identity as reference it is exact
+    blocks: of coordinates, each judged on its own scale; what has one number is judged whole
     """
 
     branches: tuple[dict[str, Pair], ...]
     scales: dict[str, Array]
-    error: tuple[Any, ...] = ()
+    error: tuple[tuple[Turn, ...], ...] = ()
     conditioning: Array | float = 1.0
+    blocks: tuple[Block, ...] = ()
 
     def errors(self, found: dict[str, NDArray[Any]]) -> dict[str, Array]:
         """|found - truth| / scale per row and output, on the branch whose law is nearer, (N,)."""
@@ -80,20 +66,38 @@ class Truth:
         return replace(self, branches=self.branches[:1])
 
     def _one(self, name: str, value: NDArray[Any], branch: dict[str, Pair]) -> Array:
+        """The largest relative error of a block, (N,)."""
         high, low = branch[name]
+        blocks = () if name == "clearance" else self.blocks
         with np.errstate(invalid="ignore", over="ignore"):
-            off = np.linalg.norm((value.astype(np.float64) - high) - low, axis=-1)
-        scale = np.maximum(np.linalg.norm(high, axis=-1), self.scales.get(name, 0.0))
+            off = block_lengths(blocks, (value.astype(np.float64) - high) - low)
+        scale = block_scale(blocks, high, self.scales.get(name, 0.0))
         relative = off / np.where(scale > 0, scale, 1.0)
-        return np.where(np.isnan(relative), np.inf, relative)
+        return np.asarray(np.where(np.isnan(relative), np.inf, relative).max(-1))
+
+
+def block_lengths(blocks: tuple[Block, ...], x: Array) -> Array:
+    """Length of each block of (N, n), (N, blocks); of the whole where there are none, (N, 1)."""
+    rows = [block.rows for block in blocks] or [slice(None)]
+    return np.stack([np.linalg.norm(x[:, each], axis=-1) for each in rows], -1)
+
+
+def block_scale(blocks: tuple[Block, ...], x: Array, given: Array | float) -> Array:
+    """The same, or a scale where that is larger."""
+    least = np.asarray(given)
+    wide = least[:, None] if least.ndim == 1 else least
+    return np.asarray(np.maximum(block_lengths(blocks, x), wide))
 
 
 def tracking(vehicle: Plant, states: States, scalar: str) -> Truth:
     """Truth of the tracking law, eq. (TckCtrl), on the stored numbers of that scalar."""
 
-    def one(row: int, flip: bool) -> dict[str, Any]:
-        at = _row(states, row, "g_r", "g", "nu", "nu_r", "nu_r_dot")
-        return truth.tracking(vehicle.group, vehicle.law, *vehicle.stored(scalar), *at, flip=flip)
+    def one(row: int, flips: tuple[int, ...]) -> dict[str, Any]:
+        at = _row(states, row, "g_r", "g", "nu", "nu_r", "nu_r_dot", *STATE)
+        numbers: Any = (vehicle.law, *vehicle.stored(scalar), *at)
+        if vehicle.is_attitude:
+            return truth.tracking(vehicle.group, *numbers, flip=bool(flips))
+        return matrix_truth.tracking(vehicle.space, *numbers, flips=flips)
 
     return _table(one, vehicle, states, scalar)
 
@@ -101,87 +105,85 @@ def tracking(vehicle: Plant, states: States, scalar: str) -> Truth:
 def reaching(vehicle: Plant, states: States, scalar: str) -> Truth:
     """Truth of the reaching law, eq. (Ctrl2)."""
 
-    def one(row: int, flip: bool) -> dict[str, Any]:
-        at = _row(states, row, "g", "nu")
-        found = truth.reaching(vehicle.group, vehicle.law, *vehicle.stored(scalar), *at, flip=flip)
-        return {**found, "nu_e": at[1]}
+    def one(row: int, flips: tuple[int, ...]) -> dict[str, Any]:
+        at = _row(states, row, "g", "nu", *STATE)
+        numbers: Any = (vehicle.law, *vehicle.stored(scalar), *at)
+        if vehicle.is_attitude:
+            return truth.reaching(vehicle.group, *numbers, flip=bool(flips))
+        return matrix_truth.reaching(vehicle.space, *numbers, flips=flips)
 
     return _table(one, vehicle, states, scalar)
 
 
+def turned(vehicle: Plant, states: States, scalar: str) -> Truth:
+    """Truth of the law and its rate on the rotations alone, whatever they carry."""
+    blocks = blocks_of(vehicle)
+    turning = [block.kind == "turn" for block in blocks]
+
+    def one(row: int, flips: tuple[int, ...] = ()) -> dict[str, Any]:
+        g, nu = _row(states, row, "g", "nu")
+        return rotations(vehicle, g, nu, flips)
+
+    plain = [one(row) for row in range(len(states.angle))]
+    cuts = [at_cut(found["turns"], EPS[scalar]) for found in plain]
+    sides = [plain, [one(row, cut) if cut else plain[row] for row, cut in enumerate(cuts)]]
+    branches = [
+        {n: _pair([row[n] for row in side]) for n in ("nu_u", "nu_u_dot")} for side in sides
+    ]
+    sine = np.array([[turn.sine for turn in row["turns"]] for row in plain])
+    natural = Natural(vehicle, states, sine, {})
+    scales = {"nu_u": natural.value[:, turning], "nu_u_dot": natural.rate[:, turning]}
+    judged = tuple(block for block in blocks if block.kind == "turn")
+    error = tuple(row["turns"] for row in plain)
+    return Truth(tuple(branches), scales, error, blocks=judged)
+
+
 def plant(vehicle: Plant, states: States, force: NDArray[Any], scalar: str) -> Truth:
-    """Truth of the acceleration under a force (N, 3), eq. (EulerP)."""
+    """Truth of the acceleration under a force (N, n), eq. (EulerP)."""
     inertia = vehicle.stored(scalar)[0]
-    pairs = zip(states.nu.tolist(), force.tolist(), strict=True)
-    rows = [truth.plant(inertia, nu, applied) for nu, applied in pairs]
-    size, speed, pushed = np.linalg.norm(inertia, 2), *_lengths(states.nu, force)
-    terms = np.linalg.norm(np.linalg.inv(inertia), 2) * (size * speed**2 + pushed)
-    return Truth(({"nu_dot": _pair(rows)},), {"nu_dot": terms / LIMITS["cancellation"].figure})
+
+    def one(row: int) -> Any:
+        nu, *extras = _row(states, row, "nu", *STATE)
+        applied = [float(x) for x in force[row]]
+        if vehicle.is_attitude:
+            return truth.plant(inertia, nu, applied, *extras)
+        return matrix_truth.plant(vehicle.space, inertia, nu, applied, *extras)
+
+    rows = [one(row) for row in range(len(states.angle))]
+    scale = Natural(vehicle, states, np.zeros((0, 0)), {}).acceleration(force)
+    return Truth(({"nu_dot": _pair(rows)},), {"nu_dot": scale}, blocks=blocks_of(vehicle))
 
 
 def _table(
-    one: Callable[[int, bool], dict[str, Any]], vehicle: Plant, states: States, scalar: str
+    one: Callable[[int, tuple[int, ...]], dict[str, Any]],
+    vehicle: Plant,
+    states: States,
+    scalar: str,
 ) -> Truth:
-    names = ("force", "s", "nu_u", "nu_u_dot", "clearance")
-    plain = [_with_clearance(one(row, False), vehicle) for row in range(len(states.angle))]
-    near = np.array(
-        [abs(found["q"][0]) < LIMITS["either side"].figure * EPS[scalar] for found in plain]
-    )
+    plain = [one(row, ()) for row in range(len(states.angle))]
+    at = [turns(vehicle, found) for found in plain]
     other = list(plain)
-    if vehicle.group == "SO3":
-        for row in np.flatnonzero(near):
-            other[row] = _with_clearance(one(int(row), True), vehicle)
-    branches = [{name: _pair([r[name] for r in rows]) for name in names} for rows in (plain, other)]
-    scales = _scales(vehicle, states, branches[0], plain)
-    has_pole = (vehicle.group, vehicle.law) in POLES
+    for row, error in enumerate(at):
+        if flips := at_cut(error, EPS[scalar]):
+            other[row] = one(row, flips)
+    branches = [_pairs(vehicle, rows) for rows in (plain, other)]
+    outputs: dict[str, Array] = {
+        name: np.array([[float(x) for x in row[name]] for row in plain])
+        for name in ("nu_u", "nu_u_dot", "nu_e", "eta_dot")
+        if name in plain[0]
+    }
+    sine = np.array([[turn.sine for turn in error] for error in at])
+    scales = Natural(vehicle, states, sine, outputs).scales()
+    has_pole = "S3" in vehicle.factors and vehicle.law in POLES
     conditioning = branches[0]["clearance"][0][:, 0] if has_pole else 1.0
-    return Truth(tuple(branches), scales, tuple(found["q"] for found in plain), conditioning)
+    scales["clearance"] = np.ones(len(plain))
+    return Truth(tuple(branches), scales, tuple(at), conditioning, blocks_of(vehicle))
 
 
-def _scales(
-    vehicle: Plant, states: States, outputs: dict[str, Pair], rows: list[dict[str, Any]]
-) -> dict[str, Array]:
-    """Natural scales: of the law its own, of s its terms, of the force its terms where they cancel.
-
-    On the move the product g_r^-1 g rounds at eps, which the law sees as an angle of eps: that
-    counts as 1 rad beside the law.
-    """
-    eta, nu_e, eta_dot = (
-        np.array([[float(x) for x in row.get(name, (0, 0, 0))] for row in rows])
-        for name in ("eta", "nu_e", "eta_dot")
-    )
-    sine = np.array([float(truth.mp.norm(row["q"][1:])) for row in rows])
-    unit = 0.5 if vehicle.law in HALVES else 1.0
-    nu, turning, speed, growth = _lengths(states.nu, eta, nu_e, eta_dot)
-    law, rate = _lengths(outputs["nu_u"][0], outputs["nu_u_dot"][0])
-    inertia, rate_gain, reach_gain = vehicle.stored("f64")
-    drive = rate_gain * (law + (1.0 if states.nu_r.any() else 0.0))
-    s = speed + drive
-    wanted = growth + rate_gain * rate + reach_gain * s
-    force = np.linalg.norm(inertia, 2) * (wanted + nu * (drive + turning))
-    return {
-        "nu_u": 2 * unit * sine,
-        "nu_u_dot": unit * speed,
-        "s": s,
-        "force": force / LIMITS["cancellation"].figure,
-        "clearance": np.ones(len(rows)),
-    }
-
-
-def _lengths(*vectors: NDArray[Any]) -> list[Array]:
-    return [np.linalg.norm(np.asarray(vector, np.float64), axis=-1) for vector in vectors]
-
-
-def _with_clearance(found: dict[str, Any], vehicle: Plant) -> dict[str, Any]:
-    """Add the distance from where the law jumps, by its definition in the table of laws."""
-    w, s = found["q"][0], truth.mp.norm(found["q"][1:])
-    distance = {
-        ("SO3", "skew"): truth.mp.one,
-        ("S3", "vec"): truth.mp.one,
-        ("S3", "sign_vec"): abs(w),
-    }
-    default = abs(w) if vehicle.group == "SO3" else (s if w < 0 else truth.mp.one)
-    return {**found, "clearance": (distance.get((vehicle.group, vehicle.law), default),)}
+def _pairs(vehicle: Plant, rows: list[dict[str, Any]]) -> dict[str, Pair]:
+    found = {name: _pair([row[name] for row in rows]) for name in OUTPUTS}
+    off = [(clearance(vehicle, turns(vehicle, row)),) for row in rows]
+    return found | {"clearance": _pair(off)}
 
 
 def _row(states: States, row: int, *names: str) -> list[list[float]]:

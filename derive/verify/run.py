@@ -8,8 +8,8 @@ from pathlib import Path
 
 from derive.verify.backend import backends
 from derive.verify.check import Report
-from derive.verify.mutation import mutation
-from derive.verify.reference import Plant
+from derive.verify.mutation import mutation, unjudged
+from derive.verify.plant import Plant
 from derive.verify.subject import Subject
 from derive.verify.suite import checks
 
@@ -33,9 +33,10 @@ def run(
     with tempfile.TemporaryDirectory(prefix="derive-") as folder:
         progress("compiling")
         has_reference = controller != "reaching"
-        found, module, missing = backends(name, texts, Path(folder), has_reference)
+        found, module, missing = backends(name, texts, Path(folder), vehicle, has_reference)
         subject = Subject(vehicle, has_reference, tuple(found), module, each, seed)
         lines = list(checks(subject, progress))
         if with_mutants:
             lines += mutation(vehicle, controller, each, seed, progress)
+            missing += unjudged(vehicle)
     return Report(name, tuple(lines), tuple(missing))

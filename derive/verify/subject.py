@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from derive.verify.backend import Backend
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
-from derive.verify.reference import Plant
+from derive.verify.plant import Plant
 from derive.verify.sample import States
 
 Array = NDArray[Any]

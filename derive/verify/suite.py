@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from derive.verify import symbolic
-from derive.verify.accuracy import accuracy, forces, plants, ties
+from derive.verify.accuracy import accuracy, forces, plants, rotations, ties
 from derive.verify.batch import ladder
 from derive.verify.check import Check
 from derive.verify.derivative import derivatives
@@ -22,6 +22,7 @@ def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -
     plan: tuple[tuple[str, Callable[[Subject], Iterator[Check]]], ...] = (
         ("kernel and chain rule in 50 digits", symbolics),
         ("law and rate against truth", accuracy),
+        ("rotations against truth", rotations),
         ("side at the cut locus", ties),
         ("force against truth", forces),
         ("plant against truth", plants),
@@ -36,11 +37,10 @@ def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -
 
 def symbolics(subject: Subject) -> Iterator[Check]:
     """Identities of the kernel, and sympy's chain rule against the emitted closed form."""
-    vehicle, seed = subject.vehicle, subject.seed
-    exact = LIMITS["symbolic"]
+    exact, seed = LIMITS["symbolic"], subject.seed
     kernel = symbolic.kernel_residual(points := 40, seed)
     yield Check("kernel k, h, m: identities", "derivation", kernel, exact, points)
-    rule = symbolic.chain_rule_residual(vehicle.group, vehicle.law, points := 6, seed)
+    rule = symbolic.chain_rule_residual(subject.vehicle, points := 6, seed)
     yield Check("nu_u_dot: chain rule", "derivation", rule, exact, points)
 
 

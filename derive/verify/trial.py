@@ -22,7 +22,8 @@ from derive.lie.kernel import NAMES, coefficients
 from derive.routine.derivation import Derivation
 from derive.verify.limits import EPS, LIMITS
 from derive.verify.mutant import Mutant, kernel_orders, of_kernel, of_steps
-from derive.verify.reference import Truth
+from derive.verify.reference import Truth, block_lengths, block_scale
+from derive.verify.shape import Block
 
 Array = NDArray[Any]
 Values = dict[str, Any]
@@ -50,24 +51,27 @@ class Case:
 class Domain:
     """Inputs on which movement is measured, and the outputs whose movement counts there.
 
-    scales: output name -> length below which its own is not its scale, (N,) or one number
+    scales: output name -> length below which its own is not its scale, (N,), (N, blocks) or one
     keep:   rows off the cut locus, where there is one right value, (N,)
     eps:    what movement is counted in
+    blocks: of coordinates, each on its own scale; none where outputs are judged whole
     """
 
     inputs: Mapping[str, Array]
     scales: Mapping[str, Array | float]
     keep: Array
     eps: float = EPS["f64"]
+    blocks: tuple[Block, ...] = ()
 
     def movement(self, before: Values, after: Values) -> float:
         """Largest change of an output over its scale, eps."""
         worst = 0.0
         for name in self.scales.keys() & before.keys():
+            blocks = () if name == "clearance" else self.blocks
             with np.errstate(all="ignore"):
-                change = np.linalg.norm(after[name] - before[name], axis=-1)
-                scale = np.maximum(np.linalg.norm(before[name], axis=-1), self.scales[name])
-                moved = change / np.where(scale > 0, scale, 1.0) / self.eps
+                change = block_lengths(blocks, after[name] - before[name])
+                scale = block_scale(blocks, before[name], self.scales[name])
+                moved = (change / np.where(scale > 0, scale, 1.0) / self.eps).max(-1)
             moved = np.where(np.isnan(moved), np.inf, moved)[self.keep]
             worst = max(worst, float(moved.max()))
         return worst
@@ -125,9 +129,13 @@ class Runner:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of the mutants: how many, the missed ones, the equivalent ones with bounds."""
+    """What became of the mutants: how many, the missed ones, the equivalent ones with bounds.
+
+    there: how many there are, of which some may have been tried
+    """
 
     tried: int
+    there: int
     missed: tuple[tuple[str, float], ...]
     equivalent: tuple[tuple[str, float], ...]
 
@@ -137,10 +145,19 @@ class Outcome:
         return max((moved for _, moved in self.equivalent), default=0.0)
 
 
-def trial(d: Derivation, cases: list[Case], domains: list[Domain], scalar: str = "f64") -> Outcome:
+def trial(
+    d: Derivation,
+    cases: list[Case],
+    domains: list[Domain],
+    scalar: str = "f64",
+    most: int | None = None,
+    seed: int = 0,
+    least: float = LIMITS["mutant"].figure,
+) -> Outcome:
     """Judge every mutant on the cases; measure on the domains what they let through.
 
     In double every mutant of every step, and of the kernel; in float those of its own kernel.
+    most: as many of them by the seed, where there are more; least: eps of a movement that counts
     """
     runner = Runner(d, scalar)
     on_cases = [(case, runner.values(case.inputs)) for case in cases]
@@ -150,18 +167,26 @@ def trial(d: Derivation, cases: list[Case], domains: list[Domain], scalar: str =
         on_domains.append((domain, values, runner.outputs(values)))
     missed: list[tuple[str, float]] = []
     equivalent: list[tuple[str, float]] = []
-    tried = 0
-    for mutant in mutants(d, scalar):
-        tried += 1
+    everyone = list(mutants(d, scalar))
+    tried = _some(everyone, most, seed)
+    for mutant in tried:
         if any(case.rejects(runner.harmed(mutant, values)) for case, values in on_cases):
             continue
         moved = max(
             domain.movement(before, runner.harmed(mutant, values))
             for domain, values, before in on_domains
         )
-        found = missed if moved >= LIMITS["mutant"].figure else equivalent
+        found = missed if moved >= least else equivalent
         found.append((mutant.what, moved))
-    return Outcome(tried, tuple(missed), tuple(equivalent))
+    return Outcome(len(tried), len(everyone), tuple(missed), tuple(equivalent))
+
+
+def _some(everyone: list[Mutant], most: int | None, seed: int) -> list[Mutant]:
+    """All of them, or `most` in their order."""
+    if most is None or len(everyone) <= most:
+        return everyone
+    chosen = np.random.default_rng([seed, 6]).choice(len(everyone), most, replace=False)
+    return [everyone[i] for i in sorted(chosen)]
 
 
 def mutants(d: Derivation, scalar: str) -> Iterator[Mutant]:

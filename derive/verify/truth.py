@@ -37,6 +37,7 @@ __all__ = [
 
 # A step h costs h^2 in truncation and 1e-130 / h in rounding: here 1e-84 and 1e-88.
 STEP = mp.mpf(10) ** -42
+STILL = (0, 0, 0)
 IDENTITY = {"SO3": (1, 0, 0, 0, 1, 0, 0, 0, 1), "S3": (1, 0, 0, 0)}
 
 
@@ -56,9 +57,11 @@ _LENGTHS: dict[tuple[str, str], Callable[[Number], Number]] = {
     ("SO3", "skew"): lambda u: mp.sin(2 * u),
     ("SO3", "gibbs"): lambda u: 2 * mp.tan(u),
     ("SO3", "mrp"): lambda u: 4 * mp.tan(u / 2),
+    ("SO3", "cayley"): lambda u: 2 * mp.tan(u),
     ("S3", "log"): lambda u: 2 * u,
     ("S3", "half_log"): lambda u: u,
     ("S3", "mrp"): lambda u: 4 * mp.tan(u / 2),
+    ("S3", "cayley"): lambda u: 4 * mp.tan(u / 2),
     ("S3", "vec"): lambda u: 2 * mp.sin(u),
     ("S3", "sign_vec"): lambda u: mp.sin(u),
 }
@@ -137,11 +140,25 @@ def _sharp(inertia: Matrix, force: Vector) -> Vector:
     return times(inverse_transposed(inertia), force)
 
 
-def plant(inertia: Sequence[Sequence[Any]], nu: Sequence[Any], force: Sequence[Any]) -> Vector:
-    """nu_dot, (3,), rad/s^2, of the rigid body under a torque in N m; eq. (DynSO3)."""
+def plant(
+    inertia: Sequence[Sequence[Any]],
+    nu: Sequence[Any],
+    force: Sequence[Any],
+    momentum: Sequence[Any] = STILL,
+    external: Sequence[Any] = STILL,
+) -> Vector:
+    """nu_dot, (3,), rad/s^2, of the rigid body under a torque in N m; eq. (DynSO3).
+
+    momentum: of wheels inside, N m s; external: a further torque, N m
+    """
     matrix, velocity = _inertia(inertia), vector(nu)
-    gyroscopic = cross(times(matrix, velocity), velocity)
-    return blend((1, _sharp(matrix, gyroscopic)), (1, _sharp(matrix, vector(force))))
+    gyroscopic = cross(_whole_momentum(matrix, velocity, momentum), velocity)
+    moved = (gyroscopic, vector(force), vector(external))
+    return blend(*((1, _sharp(matrix, torque)) for torque in moved))
+
+
+def _whole_momentum(inertia: Matrix, nu: Vector, momentum: Sequence[Any]) -> Vector:
+    return blend((1, times(inertia, nu)), (1, vector(momentum)))
 
 
 def tracking(
@@ -155,6 +172,8 @@ def tracking(
     nu: Sequence[Any],
     nu_r: Sequence[Any],
     nu_r_dot: Sequence[Any],
+    momentum: Sequence[Any] = STILL,
+    external: Sequence[Any] = STILL,
     *,
     flip: bool = False,
 ) -> dict[str, Vector]:
@@ -162,7 +181,8 @@ def tracking(
 
     inertia 3 x 3 in kg m^2, rate_gain (lambda) and reach_gain (k_s) in 1/s, g and g_r as stored,
     velocities in rad/s. Returns q (4,), and (3,) each: eta, nu_e, eta_dot, nu_u, nu_u_dot, s,
-    f_u (rad/s^2) and force (N m). `flip` takes -q instead of q: on SO3 the other branch at the
+    f_u (rad/s^2) and force (N m). momentum: of wheels inside, N m s; external: a known torque,
+    N m, which the force leaves out. `flip` takes -q instead of q: on SO3 the other branch at the
     cut locus; on S3, where -q is another element, ValueError.
     """
     if flip and group != "SO3":
@@ -177,10 +197,10 @@ def tracking(
     out["nu_u_dot"] = rate(group, name, q, out["nu_e"])
     out["s"] = blend((1, out["nu_e"]), (slope, out["nu_u"]))
     turning = blend((slope, out["nu_u"]), (-1, out["eta"]))
-    carried = _sharp(matrix, cross(times(matrix, velocity), turning))
+    carried = _sharp(matrix, cross(_whole_momentum(matrix, velocity, momentum), turning))
     wanted = ((-slope, out["nu_u_dot"]), (1, out["eta_dot"]), (-exactly(reach_gain), out["s"]))
     out["f_u"] = blend((1, carried), *wanted)
-    out["force"] = times(matrix, out["f_u"])
+    out["force"] = blend((1, times(matrix, out["f_u"])), (-1, vector(external)))
     return out
 
 
@@ -192,6 +212,8 @@ def reaching(
     reach_gain: Any,
     g: Sequence[Any],
     nu: Sequence[Any],
+    momentum: Sequence[Any] = STILL,
+    external: Sequence[Any] = STILL,
     *,
     flip: bool = False,
 ) -> dict[str, Vector]:
@@ -203,7 +225,8 @@ def reaching(
     matrix, velocity, slope = _inertia(inertia), vector(nu), exactly(rate_gain)
     out = {"q": q, "nu_u": law(group, name, q), "nu_u_dot": rate(group, name, q, velocity)}
     out["s"] = blend((1, velocity), (slope, out["nu_u"]))
-    carried = _sharp(matrix, cross(times(matrix, velocity), blend((slope, out["nu_u"]))))
+    whole = _whole_momentum(matrix, velocity, momentum)
+    carried = _sharp(matrix, cross(whole, blend((slope, out["nu_u"]))))
     out["f_u"] = blend((1, carried), (-slope, out["nu_u_dot"]), (-exactly(reach_gain), out["s"]))
-    out["force"] = times(matrix, out["f_u"])
+    out["force"] = blend((1, times(matrix, out["f_u"])), (-1, vector(external)))
     return out

@@ -9,6 +9,7 @@ from derive.verify import casadi_twin, truth
 
 INERTIA = ((3.6046, -0.0706, 0.1491), (-0.0706, 8.6868, 0.0449), (0.1491, 0.0449, 9.3484))
 ROWS = 12
+VECTORS = ("nu", "nu_r", "nu_r_dot", "momentum", "external")
 PAIRS = sorted(truth.LAWS)
 Array = NDArray[np.float64]
 
@@ -42,12 +43,12 @@ def scenario(group: str, seed: int, *, far: bool = False) -> dict[str, Array]:
     q_e = q_e * [-1, 1, 1, 1] if far else q_e
     q = np.array([product(a, b) for a, b in zip(q_r, q_e, strict=True)])
     inputs = {"g": stored(group, q), "g_r": stored(group, q_r)}
-    inputs |= {name: random.normal(size=(ROWS, 3)) for name in ("nu", "nu_r", "nu_r_dot")}
+    inputs |= {name: random.normal(size=(ROWS, 3)) for name in VECTORS}
     return inputs | {"inertia": np.array(INERTIA), "lambda": np.array(0.7), "k_s": np.array(1.3)}
 
 
 def true_rows(group: str, law: str, inputs: dict[str, Array]) -> dict[str, Array]:
-    order = ("g_r", "g", "nu", "nu_r", "nu_r_dot")
+    order = ("g_r", "g", *VECTORS)
     states = zip(*(inputs[name].tolist() for name in order), strict=True)
     rows = [truth.tracking(group, law, INERTIA, 0.7, 1.3, *state) for state in states]
     return {

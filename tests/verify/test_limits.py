@@ -7,6 +7,15 @@ from derive.verify.limits import LIMITS
 PROMISED = {
     "log": (3, "eps"),
     "rate": (4, "eps"),
+    "log_carried": (4, "eps"),
+    "rate_carried": (4, "eps"),
+    "skew_carried": (9, "eps"),
+    "own": (450, "eps"),
+    "own_force": (1e-13, "relative"),
+    "exp": (450, "eps"),
+    "plant_f64": (30 * 2.0**-52, "relative"),
+    "plant_f32": (1e-5, "relative"),
+    "mutant_own": (4500, "eps"),
     "beyond_pi": (20, "eps"),
     "force_f64": (2e-14, "relative"),
     "force_f32": (1e-5, "relative"),
@@ -27,6 +36,8 @@ PROMISED = {
     "help": (0.15, "s"),
     "prove": (15, "s"),
     "prove_se3": (60, "s"),
+    "by hand": (1.1, "times"),
+    "loop": (1e-8, "relative"),
 }
 
 

@@ -13,23 +13,48 @@ from derive.routine.derivation import Derivation, Quantity
 from derive.verify.limits import LIMITS
 from derive.verify.mutant import of_kernel, of_steps
 from derive.verify.mutation import mutation, outcomes
-from derive.verify.reference import Plant
-from tests.verify.test_suite import PAPER, with_law
+from derive.verify.plant import Plant
+from tests.verify.subjects import PAPER, plant, vehicle
+from tests.verify.test_suite import with_law
 
 
 def judged(group: str, law: str) -> Plant:
-    vehicle = with_law(group, law)
-    gains = dict(vehicle.gains)
-    return Plant(group, law, vehicle.inertia, gains["lambda"], gains["k_s"])
+    return plant(with_law(group, law))
 
 
 @pytest.mark.parametrize(("group", "law"), [("SO3", "log"), ("S3", "half_log")])
 def test_no_mutant_that_moves_an_output_is_missed(group: str, law: str) -> None:
     for routine, outcome in outcomes(judged(group, law), "gsmc"):
+        assert outcome is not None
         assert outcome.missed == (), routine
         assert outcome.tried > 10
         assert outcome.bound < LIMITS["mutant"].figure
         assert len(outcome.equivalent) < outcome.tried / 4 or outcome.tried < 100
+
+
+@pytest.mark.parametrize(
+    ("group", "law", "options"),
+    [("SO2", "log", ("external", "momentum")), ("SL2", "cayley", ()), ("SE2", "log", ())],
+)
+def test_no_mutant_is_missed_on_other_groups(
+    group: str, law: str, options: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("derive.verify.mutation.MOST", 500)
+    for routine, outcome in outcomes(plant(vehicle(group, law, options=options)), "gsmc"):
+        assert outcome is None or outcome.missed == (), routine
+        assert (outcome is None) == (group == "SL2" and routine == "residual")
+
+
+def test_where_there_are_many_a_fixed_seed_chooses(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("derive.verify.mutation.MOST", 30)
+    of = plant(vehicle("SE3", "log"))
+    (_, first), *_ = outcomes(of, "gsmc", each=8)
+    (_, again), *_ = outcomes(of, "gsmc", each=8)
+    assert first == again
+    assert first is not None
+    assert first.tried == 30 < first.there
+    check = next(iter(mutation(of, "gsmc", each=8)))
+    assert f"30 of {first.there} tried" in check.worst
 
 
 def test_a_blind_suite_would_be_found_out(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,19 +8,16 @@ from pathlib import Path
 import pytest
 
 from derive import pipeline
-from derive.control.kinematic import LAWS
-from derive.lie.catalogue import GROUPS
 from derive.vehicle import Vehicle, load
 from derive.verify.check import Check, Report
 from derive.verify.limits import LIMITS
+from tests.verify.subjects import FILES, FIRST, GROUPS, PAIRS, PAPER, ROOT, vehicle
 
-ROOT = Path(__file__).parents[2]
-PAPER = load(ROOT / "vehicles" / "paper_so3.toml")
-FILES = sorted((ROOT / "vehicles").glob("*.toml"))
+EXTRAS = ("external", "momentum")
 
 
 def with_law(group: str, law: str, controller: str = "gsmc") -> Vehicle:
-    """The paper's body with another law."""
+    """The paper's body with another law of attitude."""
     fields = {**PAPER.__dict__, "group": group, "law": law, "controller": controller}
     return Vehicle(**{**fields, "name": f"{group.lower()}_{law}"})
 
@@ -39,18 +36,24 @@ def test_every_vehicle_file_passes(file: Path) -> None:
     assert failures(verified(load(file), each=12)) == []
 
 
-@pytest.mark.parametrize(("group", "law"), LAWS)
+@pytest.mark.parametrize(("group", "law"), PAIRS)
 def test_every_law_passes(group: str, law: str) -> None:
-    report = verified(with_law(group, law), each=6)
+    report = verified(vehicle(group, law), each=3)
     assert failures(report) == []
     assert report.skipped == ()
 
 
 @pytest.mark.parametrize("group", GROUPS)
 def test_a_controller_without_reference_passes(group: str) -> None:
-    report = verified(with_law(group, "log", "reaching"), each=6)
+    report = verified(vehicle(group, FIRST[group], "reaching"), each=3)
     assert failures(report) == []
     assert not any("eta" in check.name for check in report.checks)
+
+
+@pytest.mark.parametrize("options", [EXTRAS, *((one,) for one in EXTRAS)], ids="-".join)
+@pytest.mark.parametrize("group", ["SO3", "S3", "SO2", "SE3", "SO3 x R3", "SL2"])
+def test_what_a_vehicle_knows_besides_is_judged(group: str, options: tuple[str, ...]) -> None:
+    assert failures(verified(vehicle(group, FIRST[group], options=options), each=4)) == []
 
 
 def scaled(group: str, law: str, size: str, gain: str) -> Vehicle:
@@ -77,6 +80,19 @@ def test_no_seed_raises_a_false_alarm(name: str) -> None:
     seeds = range(1, int(LIMITS["seeds"].figure) + 1)
     alarms = {seed: failures(verified(vehicle, each=3, seed=seed)) for seed in seeds}
     assert {seed: lines for seed, lines in alarms.items() if lines} == {}
+
+
+@pytest.mark.parametrize("group", ["SE3", "SO2 x SE2", "SL2"])
+def test_no_seed_raises_a_false_alarm_on_a_group(group: str) -> None:
+    """As above, on fewer seeds: their truth takes longer."""
+    seeds = range(1, 6)
+    alarms = {s: failures(verified(vehicle(group, FIRST[group]), each=4, seed=s)) for s in seeds}
+    assert {seed: lines for seed, lines in alarms.items() if lines} == {}
+
+
+def test_a_group_without_conditions_has_no_row_off_it() -> None:
+    """On R^n every number is an element: nothing can be refused as off the group."""
+    assert failures(verified(vehicle("R3", "log"), each=2)) == []
 
 
 def test_every_backend_and_every_way_to_differentiate_is_there() -> None:

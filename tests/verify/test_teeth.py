@@ -6,7 +6,7 @@ The oracles stand apart from all three, so no break can move both sides of a com
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -15,21 +15,31 @@ import pytest
 import sympy
 
 from derive import pipeline
-from derive.control import kinematic, sliding
+from derive.control import quaternion_law, sliding
 from derive.emit import literal, printer
 from derive.lie import catalogue, cover, kernel
 from derive.lie.group import Group
-from derive.verify.reference import Plant
+from derive.verify import derived
 from derive.verify.run import run
-from tests.verify.test_suite import PAPER, failures, verified, with_law
+from tests.verify.subjects import PAPER, plant
+from tests.verify.test_suite import failures, verified, with_law
 
 Patch = pytest.MonkeyPatch
+
+
+@pytest.fixture(autouse=True)
+def _unharmed() -> Iterator[None]:
+    """No test sees a group that another has harmed."""
+    yield
+    for kept in (catalogue.named, derived.lie_group):
+        kept.cache_clear()
 
 
 def conjugate_reference(patch: Patch) -> None:
     """Ad of g for Ad of its inverse."""
     wrong = replace(catalogue.SO3, short_Ad=lambda rotation: rotation.T)
     patch.setitem(catalogue.GROUPS, "SO3", wrong)
+    catalogue.named.cache_clear()
 
 
 def coad_with_minus(patch: Patch) -> None:
@@ -64,8 +74,8 @@ def quaternion_of_transpose(patch: Patch) -> None:
 
 
 def rate_along_axis_doubled(patch: Patch) -> None:
-    right = kinematic._along
-    patch.setattr(kinematic, "_along", lambda *terms: 2 * right(*terms))
+    right = quaternion_law._along
+    patch.setattr(quaternion_law, "_along", lambda *terms: 2 * right(*terms))
 
 
 def gains_exchanged(patch: Patch) -> None:
@@ -79,10 +89,9 @@ def gains_exchanged(patch: Patch) -> None:
 
 
 def half_law_for_whole(patch: Patch) -> None:
-    law = kinematic.LAWS["SO3", "log"]
-    patch.setitem(
-        kinematic.LAWS, ("SO3", "log"), replace(law, factor=lambda let, w, v: kernel.K(w) / 2)
-    )
+    law = quaternion_law.LAWS["SO3"]["log"]
+    half = quaternion_law.Quaternion(lambda let, w, v: kernel.K(w) / 2, quaternion_law._at_pi)
+    patch.setitem(quaternion_law.LAWS["SO3"], "log", replace(law, write=half))
 
 
 def minus_printed_as_plus(patch: Patch) -> None:
@@ -156,9 +165,7 @@ def test_an_edit_of_the_emitted_c_turns_the_suite_red(
     assert places, what
     at = places[which]
     files[path] = files[path][:at] + wrong + files[path][at + len(right) :]
-    gains = dict(PAPER.gains)
-    plant = Plant("SO3", "log", PAPER.inertia, gains["lambda"], gains["k_s"])
-    assert failures(run("paper_so3", files, plant, controller="gsmc", each=2)) != []
+    assert failures(run("paper_so3", files, plant(PAPER), controller="gsmc", each=2)) != []
 
 
 def test_unharmed_the_same_run_is_green() -> None:

@@ -1,0 +1,53 @@
+"""What the truth has to know of a vehicle: its group, its law, its numbers, its options."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+DTYPES = {"f32": np.float32, "f64": np.float64}
+
+Rows = tuple[tuple[Fraction, ...], ...]
+
+
+@dataclass(frozen=True)
+class Plant:
+    """The numbers of a vehicle, exact: inertia (n, n) and gains.
+
+    own:     n matrices (m, m), the basis of a user's group; None for a group known by its name
+    options: of "external" and "momentum", what the state holds besides
+    """
+
+    group: str
+    law: str
+    inertia: Rows
+    rate_gain: Fraction
+    reach_gain: Fraction
+    own: tuple[Rows, ...] | None = None
+    options: tuple[str, ...] = ()
+
+    @property
+    def space(self) -> str | tuple[Rows, ...]:
+        """What says which group it is: its name, or its basis."""
+        return self.group if self.own is None else self.own
+
+    @property
+    def factors(self) -> tuple[str, ...]:
+        """Names of the factors; of a user's group its own."""
+        return (self.group,) if self.own is not None else tuple(self.group.split(" x "))
+
+    @property
+    def is_attitude(self) -> bool:
+        """Whether every truth is one of unit quaternions."""
+        return self.own is None and self.group in ("SO3", "S3")
+
+    def stored(self, scalar: str) -> tuple[list[list[float]], float, float]:
+        """Inertia and gains as that scalar keeps them."""
+
+        def kept(value: Fraction) -> float:
+            return float(np.asarray(float(value), DTYPES[scalar]))
+
+        inertia = [[kept(value) for value in row] for row in self.inertia]
+        return inertia, kept(self.rate_gain), kept(self.reach_gain)
