@@ -7,16 +7,19 @@ import json
 import sys
 import tempfile
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
-from bench import instructions, size, throughput, waiting
+from bench import accuracy, instructions, loop, operations, size, throughput, waiting
 from bench.figure import Figure
 
 Measure = Callable[[Path], list[Figure]]
 
 PARTS: dict[str, Measure] = {
+    "accuracy": accuracy.measure,
     "instructions": instructions.measure,
+    "loop": loop.measure,
+    "operations": operations.measure,
     "size": size.measure,
     "throughput": throughput.measure,
     "waiting": waiting.measure,
@@ -27,7 +30,8 @@ def shown(figure: Figure) -> str:
     """One line of the table."""
     value = f"{figure.value:,.0f}" if figure.value >= 100 else f"{figure.value:.3g}"
     spread = "" if figure.least in (None, figure.value) else f" (least {figure.least:,.0f})"
-    line = f"{figure.name:34} {value:>10} {figure.unit + spread:26}"
+    aside = f" ({figure.aside})" if figure.aside else ""
+    line = f"{figure.name:42} {value:>10} {figure.unit + spread + aside:26}"
     if figure.limit is None:
         return line.rstrip()
     verdict = "ok" if figure.is_within else "EXCEEDED"
@@ -37,7 +41,9 @@ def shown(figure: Figure) -> str:
 def as_data(figure: Figure) -> dict[str, object]:
     """What a machine reads of a figure."""
     limit = figure.limit.figure if figure.limit else None
-    return {**asdict(figure), "limit": limit}
+    said = asdict(replace(figure, bound=None))
+    del said["bound"]
+    return {**said, "limit": limit}
 
 
 def main() -> int:

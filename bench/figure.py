@@ -9,17 +9,22 @@ from derive.verify.limits import LIMITS, Limit
 
 @dataclass(frozen=True)
 class Figure:
-    """One measured cost: the most, and where it varies from case to case the least."""
+    """One measured cost: the most, and where it varies from case to case the least.
+
+    bound: its limit, where that has not the name of the figure; aside: a remark behind the unit
+    """
 
     name: str
     value: float
     unit: str
     least: float | None = None
+    bound: Limit | None = None
+    aside: str = ""
 
     @property
     def limit(self) -> Limit | None:
         """What it may be at most, where something was promised."""
-        limit = LIMITS.get(self.name)
+        limit = self.bound or LIMITS.get(self.name)
         return limit if limit and limit.unit == self.unit else None
 
     @property

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 from bench.figure import Figure
-from bench.subject import MEASURED, ROUTINES, Array, place, states, vehicle
+from bench.subject import MEASURED, Array, place, states, vehicle
 from derive.native.compile import FLAGS, Compiler
 
 _CALL = {
@@ -30,12 +30,14 @@ def _braced(*rows: Array) -> str:
 
 
 def program(name: str, group: str, scalar: str) -> str:
-    """C that calls every routine once per state."""
+    """C that calls every routine that is counted once per state."""
     prefix, kind = f"{name}_{scalar}", {"f32": "float", "f64": "double"}[scalar]
     rows = list(states(group))
     plants = ",\n".join(_braced(row["g"], row["nu"]) for row in rows)
+    n = len(rows[0]["nu"])
+    force = ", ".join(str(i + 1) for i in range(n))
     references = ",\n".join(_braced(row["g_r"], row["nu_r"], row["nu_r_dot"]) for row in rows)
-    calls = "\n".join(f"        {prefix}_{_CALL[one].format(p=prefix)};" for one in ROUTINES)
+    calls = "\n".join(f"        {prefix}_{_CALL[one].format(p=prefix)};" for one in MEASURED[name])
     return f"""#include "{prefix}.h"
 static const {prefix}_state states[] = {{
 {plants}
@@ -46,8 +48,8 @@ static const {prefix}_reference references[] = {{
 int main(void)
 {{
     {prefix}_command command;
-    const {kind} force[3] = {{1, 2, 3}};
-    {kind} nu_dot[3];
+    const {kind} force[{n}] = {{{force}}};
+    {kind} nu_dot[{n}];
     int i;
     for (i = 0; i < {len(rows)}; i++) {{
 {calls}
@@ -82,9 +84,9 @@ def calls(name: str, scalar: str, routine: str, folder: Path) -> list[int]:
 def measure(folder: Path) -> list[Figure]:
     """Every routine, vehicle and scalar."""
     figures = []
-    for name in MEASURED:
+    for name, routines in MEASURED.items():
         for scalar in ("f64", "f32"):
-            for routine in ROUTINES:
+            for routine in routines:
                 counts = calls(name, scalar, routine, folder)
                 label = f"{name} {scalar} {routine}"
                 figures.append(Figure(label, max(counts), "instructions", min(counts)))

@@ -9,13 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive import pipeline
+from derive.lie.catalogue import named
 from derive.vehicle import Vehicle, load
 
 Array = NDArray[np.float64]
 
 ROOT = Path(__file__).parents[1]
-MEASURED = ("paper_so3", "paper_s3")
 ROUTINES = ("tracking", "reaching", "control", "plant")
+MEASURED = {
+    "paper_so3": ROUTINES,
+    "paper_s3": ROUTINES,
+    "hovercraft": ("tracking",),
+    "freeflyer": ("tracking",),
+    "underwater": ("tracking",),
+}
+"""Vehicle -> the routines whose instructions are counted: on SO3, S3, SE2, SE3 and SE3."""
 
 ANGLES = (0.0, 1e-12, 1e-8, 1e-4, 1e-2, 0.1, 1.0, 2.0, 3.0, np.pi - 1e-2, np.pi - 1e-6, np.pi)
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (1.0, -2.0, 3.0))
@@ -47,19 +55,36 @@ def _quaternion(axis: Array, angle: float) -> Array:
     return np.concatenate(([np.cos(angle / 2)], np.sin(angle / 2) * unit))
 
 
-ELEMENT = {"SO3": _rotation, "S3": _quaternion}
+def _pose(axis: Array, angle: float) -> Array:
+    """A rotation, and the axis itself as translation."""
+    g = np.eye(4)
+    g[:3, :3], g[:3, 3] = _rotation(axis, angle), axis
+    return g
+
+
+def _plane_pose(axis: Array, angle: float) -> Array:
+    g = np.eye(3)
+    g[:2, :2], g[:2, 2] = _rotation(np.array([0.0, 0.0, 1.0]), angle)[:2, :2], axis[:2]
+    return g
+
+
+ELEMENT = {"SO3": _rotation, "S3": _quaternion, "SE2": _plane_pose, "SE3": _pose}
+"""Group -> element of an axis and an angle, in the group's storage."""
 
 
 def states(group: str) -> Iterator[dict[str, Array]]:
-    """g, nu and a reference at the identity, over the ladder of angles and a handful of axes."""
+    """g, nu and a reference at the identity, over the ladder of angles and a handful of axes.
+
+    What a vehicle has besides, a known force, stays zero.
+    """
     random = np.random.default_rng(1)
-    element = ELEMENT[group]
+    element, n = ELEMENT[group], named(group).dim
     for axis in AXES:
         for angle in ANGLES:
             yield {
                 "g": element(np.array(axis), angle).ravel(),
-                "nu": random.normal(size=3),
+                "nu": random.normal(size=n),
                 "g_r": element(np.array(axis), 0.0).ravel(),
-                "nu_r": random.normal(size=3),
-                "nu_r_dot": random.normal(size=3),
+                "nu_r": random.normal(size=n),
+                "nu_r_dot": random.normal(size=n),
             }

@@ -8,6 +8,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from derive import bundle as bundle
+    from derive.bundle import Bundle as Bundle
+    from derive.bundle import State as State
     from derive.control.sliding import reaching as reaching
     from derive.control.sliding import tracking as tracking
     from derive.lie.catalogue import GROUPS as GROUPS
@@ -20,11 +23,14 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOME = {
+    "Bundle": "derive.bundle",
     "Derivation": "derive.routine.derivation",
     "GROUPS": "derive.lie.catalogue",
     "Group": "derive.lie.group",
     "InputError": "derive.vehicle",
+    "State": "derive.bundle",
     "Vehicle": "derive.vehicle",
+    "bundle": "derive.bundle",
     "load": "derive.vehicle",
     "reaching": "derive.control.sliding",
     "tracking": "derive.control.sliding",
@@ -32,11 +38,14 @@ _HOME = {
 
 __all__ = [
     "GROUPS",
+    "Bundle",
     "Derivation",
     "Group",
     "InputError",
+    "State",
     "Vehicle",
     "__version__",
+    "bundle",
     "load",
     "reaching",
     "tracking",
@@ -47,7 +56,8 @@ def __getattr__(name: str) -> object:
     """Import a public name from its home on first use."""
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(import_module(_HOME[name]), name)
+    home = import_module(_HOME[name])
+    value: object = home if home.__name__ == f"{__name__}.{name}" else getattr(home, name)
     globals()[name] = value
     return value
 

@@ -17,8 +17,11 @@ from typing import Any
 from derive import __version__
 from derive.folder import save
 
-DERIVING = ("lie/*.py", "routine/*.py", "control/*.py", "emit/*.py", "pipeline.py")
-"""The source that decides what is derived and printed, and what an entry looks like."""
+DERIVING = (
+    *("lie/*.py", "routine/*.py", "control/*.py", "emit/*.py", "verify/*.py"),
+    *("pipeline.py", "theory.py"),
+)
+"""The source that decides what is derived, printed and warned of, and what an entry looks like."""
 
 LIBRARIES = ("sympy", "mpmath")
 

@@ -15,20 +15,24 @@ from pathlib import Path
 import click
 
 from derive import __version__
+from derive.cli_theory import laws, prove
 from derive.terminal import (
+    FINDING,
     GENERATED,
     AnyPath,
     cache,
     cache_option,
     everything,
     give,
+    json_option,
     loaded,
     out_option,
     probe,
     progress,
+    warn,
 )
 
-FINDING, BAD_INPUT, INTERRUPTED, NO_READER = 1, 2, 130, 141
+BAD_INPUT, INTERRUPTED, NO_READER = 2, 130, 141
 
 
 @click.group(no_args_is_help=True, context_settings={"help_option_names": ["-h", "--help"]})
@@ -57,8 +61,10 @@ def emit(files: tuple[Path, ...], out: Path, no_cache: bool) -> None:
     """Derive, and write a package of C and numpy per vehicle."""
     from derive import pipeline
 
-    for one in pipeline.emit(loaded(files), out, cache(no_cache)):
+    written = pipeline.emit(loaded(files), out, cache(no_cache))
+    for one in written:
         click.echo(f"{'wrote' if one.is_changed else 'unchanged'} {one.folder} ({one.files} files)")
+    warn(written)
 
 
 @commands.command()
@@ -95,7 +101,7 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
 
 @commands.command()
 @click.argument("file", metavar="VEHICLE.toml", type=AnyPath)
-@click.option("--json", "json_file", type=AnyPath, help="Write the report there; - for the screen.")
+@json_option
 @click.option("--html", "html_file", type=AnyPath, help="Write it as a page; - for the screen.")
 @click.option(
     "--samples",
@@ -180,24 +186,8 @@ def explain(
     give(place, text, "--out")
 
 
-@commands.command()
-@click.argument("file", metavar="[VEHICLE.toml]", required=False, type=AnyPath)
-@click.option("--json", "json_file", type=AnyPath, help="Write the report there; - for the screen.")
-def prove(file: Path | None, json_file: Path | None) -> int:
-    """Prove the paper's statements for any group, and for the vehicle's group and inertia."""
-    from derive import pipeline
-
-    vehicle = loaded((file,))[0] if file else None
-    show = progress()
-    try:
-        report = pipeline.prove(vehicle, show)
-    finally:
-        show("")
-    if json_file != Path("-"):
-        click.echo(report.table())
-    if json_file:
-        give(json_file, report.as_json(), "--json")
-    return 0 if report.ok else FINDING
+commands.add_command(prove)
+commands.add_command(laws)
 
 
 def main() -> None:

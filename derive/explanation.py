@@ -9,7 +9,9 @@ from pathlib import Path
 
 from derive import pipeline
 from derive.explain.document import document, labels
+from derive.explain.section import Algebra
 from derive.vehicle import InputError, Vehicle
+from derive.vehicle.group import group_of
 from derive.vehicle.text import described, nearest
 
 
@@ -32,9 +34,18 @@ def explain(
     chosen = list(told.values())
     if equation is not None:
         _check_known(vehicle, "--equation", equation, labels(chosen))
-    words = {name: facts[name] for name in ("group", "law", "controller", "storage")}
+    words = {name: str(facts[name]) for name in ("group", "dim", "law", "controller", "storage")}
     files = pipeline.texts(whole, cached)
-    return document(chosen, {"vehicle": vehicle.name, **words}, files, form, equation)
+    told_of = {"vehicle": vehicle.name, **words}
+    return document(chosen, told_of, files, form, equation, _basis(vehicle))
+
+
+def _basis(vehicle: Vehicle) -> Algebra:
+    """That of a group of one's own; nothing for a group that everyone knows."""
+    if vehicle.own is None:
+        return ()
+    group = group_of(vehicle)
+    return tuple(zip(group.basis, group.units, strict=True))
 
 
 def _check_known(vehicle: Vehicle, option: str, word: str, known: Sequence[str]) -> None:

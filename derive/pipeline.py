@@ -19,6 +19,7 @@ from derive.emit.render import manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
 from derive.vehicle.check import pivots
 from derive.vehicle.group import group_of
+from derive.vehicle.twin import refuse_twins
 from derive.verify.limits import EPS, LIMITS
 
 if TYPE_CHECKING:
@@ -31,11 +32,15 @@ Printed = dict[str, Any]
 
 @dataclass(frozen=True)
 class Written:
-    """What became of one vehicle's folder; is_changed is False when it held the same bytes."""
+    """What became of one vehicle's folder; is_changed is False when it held the same bytes.
+
+    cautions: what its kinematic law leads to, a line each
+    """
 
     folder: Path
     files: int
     is_changed: bool
+    cautions: tuple[str, ...] = ()
 
 
 def cache_folder() -> Path | None:
@@ -60,6 +65,7 @@ def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.kinematic import laws_of
     from derive.emit.package import package
+    from derive.theory import cautions
 
     facts = resolve(vehicle)
     check_facts(vehicle, facts)
@@ -78,7 +84,11 @@ def derived(vehicle: Vehicle) -> Printed:
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
     }
     data = package(vehicle.name, parts.main, parts.public, parts.inner, described)
-    return {"facts": {"dim": facts.dim, "is_rotation": facts.is_rotation}, "targets": data}
+    return {
+        "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
+        "cautions": cautions(vehicle, group),
+        "targets": data,
+    }
 
 
 def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
@@ -98,7 +108,11 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
 def texts(vehicle: Vehicle, cached: Path | None = None) -> dict[str, str]:
     """Every file of the vehicle's folder, by path below it."""
     _refuse_lost(vehicle)
-    data = printed(vehicle, cached)["targets"]
+    return _rendered(vehicle, printed(vehicle, cached))
+
+
+def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
+    data = kept["targets"]
     values = _values(vehicle)
     files: dict[str, str] = {}
     used: Printed = {}
@@ -135,20 +149,25 @@ def _refuse_lost(vehicle: Vehicle) -> None:
 
 def emit(vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None) -> list[Written]:
     """Write out/NAME of every vehicle whole, or nothing at all. Raises InputError."""
-    _refuse_twins(vehicles)
+    refuse_twins(vehicles)
     for vehicle in vehicles:
         place.refuse_strangers(out / vehicle.name)
-    folders = {vehicle.name: texts(vehicle, cached) for vehicle in vehicles}
+        _refuse_lost(vehicle)
+    kept = {vehicle.name: printed(vehicle, cached) for vehicle in vehicles}
+    folders = {vehicle.name: _rendered(vehicle, kept[vehicle.name]) for vehicle in vehicles}
     with place.told(out, "a folder that can be written to"):
         changed = folder.replace(out, folders)
-    return [Written(out / name, len(folders[name]), changed[name]) for name in folders]
+    return [
+        Written(out / name, len(files), changed[name], tuple(kept[name]["cautions"]))
+        for name, files in folders.items()
+    ]
 
 
 def check(
     vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None
 ) -> list[tuple[Vehicle, list[Drift]]]:
     """Where each out/NAME is not, byte for byte, what the vehicle file gives."""
-    _refuse_twins(vehicles)
+    refuse_twins(vehicles)
     drifts = []
     for vehicle in vehicles:
         expected = texts(vehicle, cached)
@@ -200,27 +219,8 @@ def prove(vehicle: Vehicle | None, progress: Callable[[str], None]) -> ProofRepo
     if vehicle is None:
         return run.prove(None, progress=progress)
     check_facts(vehicle, resolve(vehicle))
-    return run.prove(vehicle.group, vehicle.inertia, progress)
-
-
-def _refuse_twins(vehicles: Sequence[Vehicle]) -> None:
-    """Raise InputError when two would share a folder, or macros in C, which are upper case."""
-    sources: dict[str, str] = {}
-    for vehicle in vehicles:
-        other = sources.get(vehicle.name.upper())
-        sources[vehicle.name.upper()] = vehicle.source
-        if other is not None and Path(other).resolve() == Path(vehicle.source).resolve():
-            found = f"the same file twice, the first time as {other}"
-            expected = "each vehicle file once"
-            raise InputError(vehicle.source, "", expected, found, "name it once in this call")
-        if other is not None:
-            raise InputError(
-                file=vehicle.source,
-                key="name",
-                expected="names that differ in more than capitals, one for each vehicle",
-                found=f"{vehicle.name!r} here, and in {other}",
-                remedy="rename one of the two, or leave it out of this call",
-            )
+    group = group_of(vehicle)
+    return run.prove(group, vehicle.inertia, progress, law=vehicle.law, options=vehicle.options)
 
 
 def _values(vehicle: Vehicle) -> dict[str, Any]:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 if TYPE_CHECKING:
+    from derive.pipeline import Written
     from derive.vehicle import Vehicle
+
+FINDING = 1  # exit code
 
 GENERATED = Path("generated")
 
@@ -24,6 +27,10 @@ out_option = click.option(
 )
 cache_option = click.option(
     "--no-cache", is_flag=True, help="Derive anew, whatever earlier calls have kept."
+)
+
+json_option = click.option(
+    "--json", "json_file", type=AnyPath, help="Write the report there; - for the screen."
 )
 
 
@@ -79,3 +86,13 @@ def progress() -> Callable[[str], None]:
         click.echo(f"\r\x1b[K{doing}", err=True, nl=False)
 
     return show
+
+
+def warn(written: Sequence[Written]) -> None:
+    """Tell what the vehicles' laws lead to, on stderr: each thing once, with all it is true of."""
+    told: dict[str, list[str]] = {}
+    for one in written:
+        for caution in one.cautions:
+            told.setdefault(caution, []).append(one.folder.name)
+    for caution, names in told.items():
+        click.echo(f"warning: {', '.join(names)}: {caution}", err=True)

@@ -3,32 +3,65 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import mpmath
 import numpy as np
 import sympy
+from sympy.printing.pycode import MpmathPrinter
 
 from derive.emit import printer
 from derive.emit.printed import routine
-from derive.lie.kernel import NAMES, SMALL, TINY, coefficients
+from derive.lie.kernel import NAMES, coefficients, exact
 from derive.routine.derivation import Derivation
-from derive.verify.truth import mp
+from derive.verify.precise import exactly as precisely
+from derive.verify.precise import mp
 
-ABSENT = sympy.Rational(1, 10**300)
+ABSENT = mp.mpf(10) ** -300
 """What TINY is here: far below what 60 digits see beside anything but zero."""
 
 
-def exactly(d: Derivation, digits: int = 60, **given: Any) -> dict[str, tuple[Any, ...]]:
-    """Outputs by name as mpf, from exact numbers by the name of their input."""
-    values: dict[sympy.Symbol, sympy.Expr] = {TINY: ABSENT, SMALL: ABSENT}
+def exactly(d: Derivation, **given: Any) -> dict[str, tuple[Any, ...]]:
+    """Outputs by name as mpf, with 130 digits, from exact numbers by the name of their input."""
+    values: list[Any] = []
     for quantity in d.inputs:
-        row = [given[quantity.name]] if quantity.is_scalar else list(given[quantity.name])
-        values |= zip(quantity.symbols(), map(sympy.Rational, row), strict=True)
-    outputs = d.evaluate(values, digits)
-    return {name: tuple(map(number, entries)) for name, entries in outputs.items()}
+        values += map(
+            number, [given[quantity.name]] if quantity.is_scalar else given[quantity.name]
+        )
+    if id(d) not in _KEPT:
+        _KEPT[id(d)] = d, _compiled(d)
+    _, run = _KEPT[id(d)]
+    return run(*values)
+
+
+_KEPT: dict[int, tuple[Derivation, Callable[..., dict[str, tuple[Any, ...]]]]] = {}
+"""What was compiled, and of which derivation, so that none takes the place of another."""
+
+
+def _compiled(d: Derivation) -> Any:
+    """The derivation as a function of its inputs' entries, in Python's text of its formulas."""
+    entries = ", ".join(str(symbol) for quantity in d.inputs for symbol in quantity.symbols())
+    lines = [f"{symbol} = {_PRINTER.doprint(value)}" for symbol, value in d.terms()]
+    given = [
+        f"{q.name!r}: ({''.join(f'{_PRINTER.doprint(e)}, ' for e in row)})" for q, row in d.outputs
+    ]
+    text = "\n    ".join([f"def run({entries}):", *lines, f"return {{{', '.join(given)}}}"])
+    scope: dict[str, Any] = {"mpmath": mp, "Arc": _arc, "TINY": ABSENT, "SMALL": ABSENT}
+    exec(compile(text, d.name, "exec"), scope)
+    return scope["run"]
+
+
+_PRINTER = MpmathPrinter({"fully_qualified_modules": True, "allow_unknown_functions": True})
+
+
+def _arc(order: Any, w: Any) -> Any:
+    with mpmath.workprec(mp.prec):
+        return mp.mpf(exact(int(order), mpmath.mpf(w)))
 
 
 def number(value: Any) -> Any:
-    """A sympy number as an mpf that keeps all its digits."""
-    return mp.mpf(sympy.Float(value, 60)._mpf_)
+    """A rational or binary number as an mpf that keeps all its digits."""
+    if isinstance(value, sympy.Rational):
+        return mp.mpf(int(value.p)) / int(value.q)
+    return precisely(value)
 
 
 def in_double(d: Derivation) -> Callable[..., dict[str, Any]]:

@@ -17,14 +17,19 @@ FILE_LINES, FUNCTION_LINES = 250, 60
 LAYER = {
     "derive.cache": "derive.pipeline",
     "derive.folder": "derive.pipeline",
+    "derive.bundle": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
+    "derive.theory": "derive.pipeline",
+    "derive.cli_theory": "derive.cli",
     "derive.terminal": "derive.cli",
     "derive.place": "derive.pipeline",
 }
 """Top-level modules that belong to the layer of another."""
 
 OWN = {
-    "derive": ("derive.vehicle", "derive.lie", "derive.control", "derive.routine"),
+    "derive": (
+        *("derive.vehicle", "derive.lie", "derive.control", "derive.routine", "derive.bundle"),
+    ),
     "derive.__main__": ("derive.cli",),
     "derive.lie": (),
     "derive.routine": (),
@@ -41,7 +46,10 @@ OWN = {
         *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
         *("derive.verify", "derive.explain", "derive.simulate", "derive.vehicle"),
     ),
-    "derive.cli": ("derive.pipeline", "derive.explanation", "derive.place", "derive.vehicle"),
+    "derive.cli": (
+        *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
+        "derive.vehicle",
+    ),
 }
 """What of ours each layer may import besides itself. A layer that is not here is refused."""
 
@@ -61,7 +69,10 @@ THIRD_PARTY = {
     "derive.routine": ("sympy",),
     "derive.control": ("sympy",),
     "derive.control.table": (),
+    "derive.control.caution": (),
+    "derive.bundle": ("numpy",),
     "derive.emit": ("sympy",),
+    "derive.emit.function": ("sympy", "numpy"),
     "derive.emit.render": ("sympy", "jinja2"),
     "derive.explain": ("sympy",),
     "derive.vehicle": ("numpy",),

@@ -6,6 +6,7 @@ cayley  2 vee((g - 1)(g + 1)^-1) = 2 c  rate nu + [c, nu] - vee(c^ nu^ c^)
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import sympy
@@ -16,6 +17,8 @@ from derive.lie.cover import Let
 from derive.lie.group import Group
 from derive.lie.jacobian import log_rate
 from derive.lie.kernel import TINY
+
+Write = Callable[[Let, Group, Matrix], Written]
 
 
 def _log(let: Let, group: Group, g_e: Matrix) -> Written:
@@ -72,6 +75,25 @@ def _quotient(let: Let, group: Group, g: Matrix) -> tuple[Matrix, sympy.Expr]:
     return value, let("distance", sympy.Abs(trace) / 2**m, "1", "|det(g + 1)|/2^m")
 
 
+def _in_first(write: Write) -> Write:
+    """The law as computed in the first basis of a group that is in another one."""
+
+    def moved(let: Let, group: Group, g_e: Matrix) -> Written:
+        if group.first is None:
+            return write(let, group, g_e)
+        first, basis = group.first
+        there, back = write(let, first, g_e), basis.inv()
+        value = let("law_old", there.value, first.log_unit, "the law in the first basis")
+
+        def rate(let: Let, nu_e: Matrix) -> Matrix:
+            old = let("nu_old", basis * nu_e, first.unit, "nu_e in the first basis")
+            return back * let("rate_old", there.rate(let, old), first.unit, "rate of the law there")
+
+        return Written(back * value, rate, there.clearance)
+
+    return moved
+
+
 IDENTITY = KinematicLaw("log", _log, "the element itself")
 """On R^n all laws agree."""
 
@@ -84,9 +106,10 @@ def laws_of(group: Group) -> dict[str, KinematicLaw]:
     laws = []
     if group.chart:
         laws.append(KinematicLaw("log", _log, "the logarithm"))
-    laws.append(KinematicLaw("skew", _skew, "vee(g - g^-1)/2"))
+    laws.append(KinematicLaw("skew", _in_first(_skew), "vee(g - g^-1)/2"))
     if keeps_odd_powers(group):
-        laws.append(KinematicLaw("cayley", _cayley, "2 vee((g - 1)(g + 1)^-1)", is_pole=True))
+        doc = "2 vee((g - 1)(g + 1)^-1)"
+        laws.append(KinematicLaw("cayley", _in_first(_cayley), doc, is_pole=True))
     return {law.name: law for law in laws}
 
 

@@ -92,7 +92,10 @@ def assign(name: str, value: str) -> str:
     if len(line) <= WIDTH:
         return line
     inner = fold(f"        {value}", 8)
-    return f"    {name} = (\n{inner}\n    )"
+    many = f"    {name} = ("
+    if len(many) > WIDTH:
+        many = f"    (\n{fold(f'        {name},', 8)}\n    ) = ("
+    return f"{many}\n{inner}\n    )"
 
 
 def comment(quantity: Mapping[str, Any]) -> str:

@@ -22,7 +22,7 @@ from derive.explain.formula import function_name
 from derive.explain.latex import LATEX
 from derive.explain.mathml import MATHML
 from derive.explain.notation import Notation
-from derive.explain.section import Lines, Printed, label, section, shown
+from derive.explain.section import Algebra, Lines, Printed, algebra, label, section, shown
 from derive.explain.text import TEXT
 from derive.lie.kernel import DEGREES, NAMES
 from derive.routine.derivation import Derivation, Step
@@ -48,11 +48,13 @@ def document(
     texts: Mapping[str, str],
     form: str,
     equation: str | None = None,
+    basis: Algebra = (),
 ) -> str:
     """The document in one of FORMATS, of all steps or of those with one label.
 
-    facts: vehicle (its name), group, law, controller and storage, in words
+    facts: vehicle (its name), group, dim, law, controller and storage, in words
     texts: {path: text} of its emitted folder, C in double precision and trace.csv among them
+    basis: of the group's algebra, where it is to be shown
     """
     template, n = FORMATS[form]
     path = f"c/src/{facts['vehicle']}_{SCALAR}.c"
@@ -62,6 +64,7 @@ def document(
     context = {
         **{key: n.plain(value) for key, value in facts.items()},
         "path": n.plain(path),
+        "algebra": algebra(basis, n),
         "routines": [one for one in sections if one["steps"]],
         "kernels": _kernels(steps, n),
         "constants": _constants(steps, n),

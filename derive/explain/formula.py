@@ -5,11 +5,12 @@ Precedence and order are decided here, spelling in a Notation. Numbers stay exac
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 import sympy
-from sympy import Expr, Piecewise, Symbol
+from sympy import Expr, ImmutableMatrix, Piecewise, Symbol
 
 from derive.explain.notation import Notation
 from derive.explain.text import TEXT
@@ -55,6 +56,12 @@ def display(name: str, entries: Sequence[Expr], sizes: Mapping[str, int], n: Not
     if n.is_flat or is_wide or len(entries) > TALLEST:
         return _displayed([(n.symbol(f"{name}_{i}"), e) for i, e in enumerate(entries)], n)
     return _equation(left, n.column([spell(entry, n) for entry in entries]), n)
+
+
+def matrix_of(name: str, value: ImmutableMatrix, n: Notation) -> str:
+    """A displayed matrix of numbers."""
+    rows = [[spell(entry, n) for entry in value[i, :]] for i in range(value.rows)]
+    return _equation(n.symbol(name), n.matrix(rows), n)
 
 
 def _equation(left: str, right: str, n: Notation) -> str:
@@ -109,20 +116,41 @@ def _condition(value: sympy.Basic, n: Notation) -> str:
 
 
 def _broken(value: Expr, n: Notation) -> list[str]:
-    """The lines of a sum whose text is too wide for one."""
-    if not value.is_Add or shared_coefficient(value)[0] != 1:
+    """The lines of a sum whose text is too wide for one, also where it is multiplied by others."""
+    others, terms = _sum_within(value)
+    if not terms or len(spell(value, TEXT)) <= n.width:
         return [spell(value, n)]
     lines: list[list[Expr]] = [[]]
-    for term in _ordered(value.args):
+    for term in _ordered(terms):
         if lines[-1] and len(TEXT.plus.join(spell(t, TEXT) for t in [*lines[-1], term])) > n.width:
             lines.append([])
         lines[-1].append(term)
-    return [_joined(terms, n, is_first=k == 0) for k, terms in enumerate(lines)]
+    shown = [_joined(terms, n, is_first=k == 0) for k, terms in enumerate(lines)]
+    if others != 1:
+        shown[0] = spell(others, n) + n.product + n.opening + shown[0]
+        shown[-1] += n.closing
+    return shown
+
+
+def _sum_within(value: Expr) -> tuple[Expr, Sequence[Expr]]:
+    """The terms of a sum that is a factor of value, and the other factors; no terms without one."""
+    if value.is_Add:
+        return shared_coefficient(value)
+    sums = [one for one in sympy.Mul.make_args(value) if one.is_Add]
+    if not sums:
+        return value, ()
+    shared, terms = shared_coefficient(sums[0])
+    return shared * sympy.Mul(*(one for one in sympy.Mul.make_args(value) if one != sums[0])), terms
 
 
 def _ordered(terms: Sequence[Expr]) -> list[Expr]:
-    """A positive term first, where there is one; otherwise as they are kept."""
-    return sorted(terms, key=_is_negative)
+    """A positive term first, where there is one; otherwise by name and number."""
+    return sorted(terms, key=lambda term: (_is_negative(term), _counted(term)))
+
+
+def _counted(value: Expr) -> str:
+    """Its text, in which 2 comes before 10."""
+    return re.sub(r"\d+", lambda found: found[0].zfill(4), str(value))
 
 
 def _joined(terms: Sequence[Expr], n: Notation, *, is_first: bool = True) -> str:
@@ -147,11 +175,11 @@ def _product(value: Expr, n: Notation) -> str:
     if _is_negative(value):
         return n.minus + _factor(-value, n)
     coefficient, rest = value.as_coeff_Mul()
-    over, under = sympy.fraction(rest)
-    above = sorted((f for f in sympy.Mul.make_args(over) if f != 1), key=_is_entry)
-    if coefficient != 1:
-        above.insert(0, coefficient)
+    over, under = sympy.fraction(rest if sympy.fraction(rest)[1] == 1 else value)
+    factors = (f for f in sympy.Mul.make_args(over) if f != 1)
+    above = sorted(factors, key=_place)
     if under == 1:
+        above = [coefficient] * (coefficient != 1) + above
         return n.product.join(_factor(f, n) for f in above)
     below = sympy.Mul.make_args(under)
     return n.fraction % (_part(above or [sympy.S.One], n), _part(below, n, is_below=True))
@@ -169,8 +197,13 @@ def _is_negative(term: Expr) -> bool:
     return bool(term.as_coeff_Mul()[0] < 0)
 
 
+def _place(factor: Expr) -> str:
+    """Scalars come before entries of vectors, as they are kept; these by name and number."""
+    return _counted(factor) if _is_entry(factor) else ""
+
+
 def _is_entry(factor: Expr) -> bool:
-    """Scalars come before entries of vectors."""
+    """Whether an index stands in it."""
     indices = (str(symbol).rpartition("_")[2] for symbol in factor.free_symbols)
     return any(index == ALL or index.isdigit() for index in indices)
 

@@ -47,6 +47,8 @@ LATEX = Notation(
     root=r"\sqrt{%s}",
     absolute=r"\left|%s\right|",
     group=r"\left(%s\right)",
+    opening=r"\bigl(",
+    closing=r"\bigr)",
     call=r"%s\left(%s\right)",
     prime="%s'",
     actions={
@@ -57,6 +59,9 @@ LATEX = Notation(
     both=r"\text{ and }",
     column=lambda entries: (
         r"\begin{pmatrix} " + r" \\ ".join(entries) + r" \end{pmatrix}"
+    ),
+    matrix=lambda rows: (
+        r"\begin{pmatrix} " + r" \\ ".join(" & ".join(row) for row in rows) + r" \end{pmatrix}"
     ),
     cases=lambda cases: (
         r"\begin{cases} "

@@ -45,6 +45,8 @@ MATHML = Notation(
     root="<msqrt>%s</msqrt>",
     absolute="<mrow><mo>|</mo>%s<mo>|</mo></mrow>",
     group="<mrow><mo>(</mo>%s<mo>)</mo></mrow>",
+    opening='<mo stretchy="false">(</mo>',
+    closing='<mo stretchy="false">)</mo>',
     call="%s<mrow><mo>(</mo>%s<mo>)</mo></mrow>",
     prime="<msup>%s<mo>′</mo></msup>",
     actions={
@@ -58,6 +60,7 @@ MATHML = Notation(
     column=lambda entries: (
         "<mrow><mo>(</mo>" + _table("column", [[one] for one in entries]) + "<mo>)</mo></mrow>"
     ),
+    matrix=lambda rows: "<mrow><mo>(</mo>" + _table("matrix", rows) + "<mo>)</mo></mrow>",
     cases=lambda cases: (
         "<mrow><mo>{</mo>"
         + _table(

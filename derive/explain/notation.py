@@ -35,6 +35,7 @@ class Notation:
     minus, less: the sign of one term, and between two
     width:   of a line of a formula, in characters of its text; of a column's entry as well
     relations: operators of conditions that are spelled in another way
+    opening, closing: parentheses around several lines
     single, rows: a displayed formula, of one line or of (left, right) lines
     plain, code: a sentence and a line of C as the document takes them
     """
@@ -51,6 +52,8 @@ class Notation:
     root: str
     absolute: str
     group: str
+    opening: str
+    closing: str
     call: str
     prime: str
     actions: dict[str, str]
@@ -58,6 +61,7 @@ class Notation:
     relations: dict[str, str]
     both: str
     column: Callable[[Sequence[str]], str]
+    matrix: Callable[[Sequence[Sequence[str]]], str]
     cases: Callable[[Cases], str]
     single: str
     rows: Callable[[Sequence[tuple[str, str]]], str]
@@ -68,12 +72,14 @@ class Notation:
 def parts(name: str) -> tuple[str, tuple[str, ...], bool]:
     """Base, subscripts and whether dotted: nu_r_dot_0 is (nu, (r, 0), True).
 
-    A name that begins with a word of its own keeps all of its words: (to body, (3,), False).
+    A name that begins with a word of its own keeps all of its words, but not the letters that
+    mark it: to_body_a_3 is (to body, (a, 3), False).
     """
     base, *rest = RENAMED.get(name, name).split("_")
     is_dotted = "dot" in rest
     rest = [part for part in rest if part != "dot"]
-    while rest and len(base) > 1 and base not in GREEK and not rest[0].isdigit():
+    is_word = len(base) > 1 and base not in GREEK
+    while is_word and rest and len(rest[0]) > 1 and not rest[0].isdigit():
         base = f"{base} {rest.pop(0)}"
     return base, tuple(rest), is_dotted
 

@@ -9,29 +9,42 @@ from __future__ import annotations
 import ast
 
 from derive.explain.notation import Notation
+from derive.routine.derivation import Derivation
 
 ROUTINES = {
     "tracking": (
-        "force == coad(rate_gain*nu_u - eta)*I*nu + I*(eta_dot - rate_gain*nu_u_dot - reach_gain*s)"
+        "force == coad(rate_gain*nu_u - eta)*{carried}"
+        " + I*(eta_dot - rate_gain*nu_u_dot - reach_gain*s){less}"
     ),
-    "reaching": "force == coad(rate_gain*nu_u)*I*nu - I*(rate_gain*nu_u_dot + reach_gain*s)",
-    "plant": "I*nu_dot == coad(nu)*I*nu + force",
+    "reaching": (
+        "force == coad(rate_gain*nu_u)*{carried} - I*(rate_gain*nu_u_dot + reach_gain*s){less}"
+    ),
+    "plant": "I*nu_dot == coad(nu)*{carried} + force{plus}",
 }
-"""Routine -> what it computes as a whole."""
+"""Routine -> what it computes as a whole; see EXTRAS for what stands in braces."""
+
+_ALL = ("tracking", "reaching", "plant")
 
 STEPS = {
     ("tracking", "g_e"): "g_e == g_r**-1 * g",
     ("tracking", "to_body"): "to_body == Ad(g_e**-1)",
     ("tracking", "eta"): "eta == Ad(g_e**-1)*nu_r",
     ("tracking", "eta_dot"): "eta_dot == Ad(g_e**-1)*nu_r_dot - ad(nu_e)*eta",
-    ("tracking", "momentum"): "momentum == I*nu",
-    ("tracking", "force"): "force == coad(turning)*momentum + I*wanted",
-    ("reaching", "momentum"): "momentum == I*nu",
-    ("reaching", "force"): "force == coad(drive)*momentum + I*wanted",
-    ("plant", "momentum"): "momentum == I*nu",
-    ("plant", "total"): "total == coad(nu)*momentum + force",
+    **{(routine, "momentum"): "momentum == I*nu" for routine in _ALL},
+    **{(routine, "whole_momentum"): "whole_momentum == I*nu + momentum" for routine in _ALL},
+    ("tracking", "force"): "force == coad(turning)*{whole} + I*wanted{less}",
+    ("reaching", "force"): "force == coad(drive)*{whole} + I*wanted{less}",
+    ("plant", "total"): "total == coad(nu)*{whole} + force{plus}",
 }
 """(routine, step) -> the step without coordinates, where its entries do not say it already."""
+
+EXTRAS = {
+    "carried": ("momentum", "(I*nu + momentum)", "I*nu"),
+    "whole": ("momentum", "whole_momentum", "momentum"),
+    "less": ("external", " - external", ""),
+    "plus": ("external", " + external", ""),
+}
+"""What stands in braces: an input, what is said where the routine takes it, and where not."""
 
 KERNELS = {
     "k": (
@@ -49,6 +62,29 @@ CONSTANTS = {
     "SMALL": "a sine below which an error beyond pi has no axis",
 }
 """Named constant -> what it is for."""
+
+
+def routine(d: Derivation) -> str:
+    """The formula of a routine as a whole; empty for one that the paper does not have."""
+    return _filled(ROUTINES.get(d.name, ""), d)
+
+
+def step(d: Derivation, name: str) -> str:
+    """The formula of one of its steps; empty where the entries say it, or a step is not there.
+
+    Where elements commute, whatever ad* acts on is not computed.
+    """
+    source = _filled(STEPS.get((d.name, name), ""), d)
+    there = {one.name for one in d.inputs} | {one.quantity.name for one in d.steps}
+    said = {one.id for one in ast.walk(ast.parse(source)) if isinstance(one, ast.Name)}
+    return source if said <= there | {"I", "Ad", "ad", "coad"} else ""
+
+
+def _filled(source: str, d: Derivation) -> str:
+    taken = {quantity.name for quantity in d.inputs}
+    rows = EXTRAS.items()
+    return source.format(**{name: there if of in taken else not_there
+                            for name, (of, there, not_there) in rows})  # fmt: skip
 
 
 def said(source: str, n: Notation) -> str:

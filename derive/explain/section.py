@@ -6,16 +6,20 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr, ImmutableMatrix, Symbol
 
 from derive.explain import paper
-from derive.explain.formula import display
+from derive.explain.formula import display, matrix_of
 from derive.explain.notation import Notation
 from derive.routine.derivation import Derivation, Quantity, Step
 
 Printed = dict[str, Any]
 Lines = list[tuple[int, str]]
 """Lines of code with their numbers."""
+
+
+Algebra = Sequence[tuple[ImmutableMatrix, str]]
+"""Basis matrices (m, m), each with the unit of a velocity's coordinate."""
 
 
 def label(d: Derivation, step: Step) -> str:
@@ -30,6 +34,14 @@ def shown(d: Derivation, equation: str | None) -> list[Step]:
     return [step for step in d.steps if equation in (None, label(d, step))]
 
 
+def algebra(basis: Algebra, n: Notation) -> list[Printed]:
+    """A basis, matrix by matrix, with the unit of its coordinate."""
+    return [
+        {"formula": matrix_of(f"E_{i}", e, n), "unit": n.plain(unit)}
+        for i, (e, unit) in enumerate(basis)
+    ]
+
+
 def section(
     d: Derivation, equation: str | None, blocks: Mapping[tuple[str, str], Lines], n: Notation
 ) -> Printed:
@@ -42,7 +54,7 @@ def section(
         "name": d.name,
         "doc": n.plain(d.doc),
         "source": n.plain(d.source),
-        "paper": _said(paper.ROUTINES.get(d.name), n),
+        "paper": _said(paper.routine(d), n),
         "inputs": [_quantity(q, n) for q in d.inputs] if is_whole else [],
         "steps": [_step(d, step, blocks[d.name, step.quantity.name], n) for step in steps],
         "outputs": [_quantity(q, n) for q, _ in d.outputs] if is_whole else [],
@@ -55,7 +67,7 @@ def _step(d: Derivation, step: Step, lines: Lines, n: Notation) -> Printed:
         **_quantity(step.quantity, n),
         "number": d.steps.index(step) + 1,
         "label": n.plain(label(d, step)),
-        "paper": _said(paper.STEPS.get((d.name, step.quantity.name)), n),
+        "paper": _said(paper.step(d, step.quantity.name), n),
         "formula": _formula(d, step.quantity, step.formula, n),
         "lines": [(number, n.code(line)) for number, line in lines],
     }
@@ -88,5 +100,5 @@ def _inertia_entries(d: Derivation) -> dict[Symbol, Symbol]:
     return {one: Symbol(f"I_{i}_{j}", real=True) for one, (i, j) in zip(kept, places, strict=True)}
 
 
-def _said(source: str | None, n: Notation) -> str:
+def _said(source: str, n: Notation) -> str:
     return paper.said(source, n) if source else ""

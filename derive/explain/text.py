@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from derive.explain.notation import RENAMED, Cases, Notation, conditions
 
 
@@ -9,6 +11,11 @@ def _cases(cases: Cases) -> str:
     width = max(len(value) for value, _ in cases)
     rows = conditions(cases, "if %s", "otherwise")
     return "".join(f"\n    {value:<{width}}  {condition}" for value, condition in rows)
+
+
+def _matrix(rows: Sequence[Sequence[str]]) -> str:
+    """As a vehicle file has it."""
+    return f"[{', '.join(['[' + ', '.join(row) + ']' for row in rows])}]"
 
 
 TEXT = Notation(
@@ -24,6 +31,8 @@ TEXT = Notation(
     root="sqrt(%s)",
     absolute="|%s|",
     group="(%s)",
+    opening="(",
+    closing=")",
     call="%s(%s)",
     prime="%s'",
     actions={"Ad": "Ad(%s)", "ad": "ad(%s)", "coad": "ad*(%s)"},
@@ -31,6 +40,7 @@ TEXT = Notation(
     relations={},
     both=" and ",
     column=lambda entries: f"({', '.join(entries)})",
+    matrix=_matrix,
     cases=_cases,
     single="%s",
     rows=lambda rows: "\n".join(f"{left} = {right}" for left, right in rows),

@@ -11,7 +11,7 @@ the series x/(1 - e^-x) at x = -log M, reduced by the minimal polynomial x (x^2 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import sympy
@@ -33,7 +33,8 @@ class Chart:
     """The logarithm of an element, and what its exact rate is made of.
 
     log:       coordinates x, (n, 1)
-    scaled:    y = x/(2 k), (n, 1), whose ad_y turns by s; x itself where nothing turns
+    scaled:    y = x/(2 k), (n, 1), whose ad_y turns by s; x itself where nothing turns; in the
+               first basis of a group that is in another one
     w:         cosine of half the angle; None where nothing turns
     square:    s^2
     tangent:   writes vee((g - 1)(g + 1)^-1), (n, 1), if there is a short way to it
@@ -152,13 +153,19 @@ def rebased(charted: Charted, back: Matrix) -> Charted:
 
     def chart(let: Let, stored: Matrix) -> Chart:
         inner = charted(let, stored)
-        log, scaled = (
-            let(name, back * value, "1", f"{name} in the basis of the group")
-            for name, value in (("log", inner.log), ("y", inner.scaled))
-        )
-        return Chart(log, scaled, inner.w, inner.square)
+        first = let("log_old", inner.log, "1", "logarithm in the first basis")
+        log = let("log", back * first, "1", "logarithm")
+        tangent = inner.tangent and _rebased_tangent(inner.tangent, back)
+        return replace(inner, log=log, tangent=tangent)
 
     return chart
+
+
+def _rebased_tangent(inner: Tangent, back: Matrix) -> Tangent:
+    def tangent(let: Let) -> Matrix:
+        return back * let("c_old", inner(let), "1", "c in the first basis")
+
+    return tangent
 
 
 def of_unipotent(group_of: Callable[[Matrix], Matrix], vee: Callable[[Matrix], Matrix]) -> Charted:

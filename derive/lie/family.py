@@ -17,7 +17,7 @@ from derive.lie.group import Group, Pull, marked
 __all__ = ["MARKS", "product", "rebased", "semidirect", "vector_space"]
 
 MARKS = ascii_lowercase
-"""Suffix of the steps of each factor of a product."""
+"""Suffix of the steps of each factor of a product: as many as a product may have factors."""
 
 
 def vector_space(n: int) -> Group:
@@ -45,7 +45,12 @@ def vector_space(n: int) -> Group:
 
 
 def product(*factors: Group) -> Group:
-    """Direct product: stored numbers and coordinates concatenated, nothing mixed."""
+    """Direct product: stored numbers and coordinates concatenated, nothing mixed.
+
+    Raises ValueError for more factors than MARKS.
+    """
+    if len(factors) > len(MARKS):
+        raise ValueError(f"a product of {len(factors)} factors: at most {len(MARKS)} are expected")
     sizes = [one.basis[0].rows for one in factors]
     starts = [sum(sizes[:i]) for i in range(len(sizes))]
 
@@ -99,20 +104,34 @@ def rebased(group: Group, name: str, basis: Matrix, units: tuple[str, ...]) -> G
     """The same elements, stored alike, in another basis of the algebra.
 
     basis: (n, n), exact: column j holds the new E_j in the old coordinates. Raises ValueError
-    where it is singular.
+    where it is singular. What moves a velocity is computed in the old basis, which may keep apart
+    what the new one mixes: a turn of 1e-3 is lost beside a translation of 1e6.
     """
     if basis.det() == 0:
         raise ValueError(f"{name}: the new basis matrices are linearly dependent")
     made = [group.hat(basis[:, j]) for j in range(group.dim)]
+    back, unit = basis.inv(), group.unit
+
+    def pull(let: Let, g: Matrix) -> Pull:
+        first = group.pull(let, g)
+
+        def pulled(name: str, x: Matrix) -> Matrix:
+            old = let(f"{name}_old", basis * x, unit, "before, in the first basis")
+            new = let(f"{name}_new", first(name, old), unit, "after, in the first basis")
+            return back * new
+
+        return pulled
+
     return replace(
         group,
         name=name,
         basis=tuple(ImmutableMatrix(e) for e in made),
         units=units,
         cover=None,
-        chart=chart.rebased(group.chart, basis.inv()) if group.chart else None,
+        chart=chart.rebased(group.chart, back) if group.chart else None,
         factors=(),
+        first=(group, ImmutableMatrix(basis)),
         short_Ad=None,
-        short_pull=None,
+        short_pull=pull,
         is_rotation=False,
     )

@@ -37,6 +37,7 @@ class Group:
     cover:    writes the steps from stored numbers to the unit quaternion, if it has one
     chart:    writes the steps from stored numbers to the logarithm, if it has a closed form
     factors:  of a direct product, in order; empty for any other group
+    first:    the group that this one is in another basis, and the new E_j in its coordinates
     is_rotation: its velocities are angular rates of a body in space
     short_…:  optional shorter formulas, each held to its definition by a test
     """
@@ -54,6 +55,7 @@ class Group:
     cover: Callable[[Let, Matrix], Cover] | None = None
     chart: Charted | None = None
     factors: tuple[Group, ...] = ()
+    first: tuple[Group, ImmutableMatrix] | None = None
     is_rotation: bool = False
     short_Ad: Callable[[Matrix], Matrix] | None = None
     short_error: Callable[[Let, Matrix, Matrix], Matrix] | None = None

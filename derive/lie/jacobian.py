@@ -66,13 +66,24 @@ def _square(group: Group, A: Matrix) -> Rational:
         return sympy.S.Zero
     first = found.pop()
     leading, middle, last = first.all_coeffs() if first.degree() == 2 else (1, 1, 0)
-    if found or middle or last / leading <= 0:
+    if found or middle or last / leading <= 0 or not _turns_everywhere(group):
         raise ValueError(f"{group.name}: ad has eigenvalues besides 0 and one pair +-i phi")
     return last / leading
 
 
+def _turns_everywhere(group: Group) -> bool:
+    """Whether phi^2, the trace of -ad_x^2 up to a factor, is nowhere negative."""
+    n, C = group.dim, group.structure
+    return bool(Matrix(n, n, lambda i, j: -(C[i] * C[j]).trace()).is_positive_semidefinite)
+
+
 def log_rate(let: Let, group: Group, chart: Chart, nu: Matrix) -> Matrix:
     """Rate of the logarithm, (n, 1), along g' = g hat(nu), as an expression over its steps."""
+    if group.first:
+        first, basis = group.first
+        old = let("nu_old", basis * nu, first.unit, "nu_e in the first basis")
+        rate = let("rate_old", log_rate(let, first, chart, old), first.unit, "rate of log there")
+        return basis.inv() * rate
     kind = spectrum(group)
     ad_y = group.ad(chart.scaled)
     if not kind.turns or chart.w is None:

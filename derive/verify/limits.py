@@ -52,6 +52,8 @@ _TABLE = (
     Limit("emit, nothing cached", 1.5, "s", "one vehicle, the whole process"),
     Limit("emit, cached", 0.35, "s", "as above, a new inertia of a known pattern"),
     Limit("help", 0.15, "s", "derive --help"),
+    Limit("by hand", 1.1, "times", "operations of tracking over a count by hand, SE3 and SE2"),
+    Limit("loop", 1e-8, "relative", "W against W(0) exp(-2 k_s t) over 8 s, every group"),
 )
 
 LIMITS = {limit.name: limit for limit in _TABLE}

@@ -2,46 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import sympy
 
 from derive.vehicle import Vehicle
-from tests.emit.subjects import ELEMENT, Array
+from tests.emit import elements
+from tests.emit.elements import AXES, PI, Array, element
+from tests.emit.subjects import group
 
 OK, NEAR, OFF, RANGE, NONFINITE = 0, 2, 16, 17, 18
-PI = np.pi
-
-CUT: dict[tuple[str, str], tuple[float, bool] | None] = {
-    ("SO3", "log"): (PI, False),
-    ("SO3", "lee"): (PI, False),
-    ("SO3", "skew"): None,
-    ("SO3", "gibbs"): (PI, True),
-    ("SO3", "mrp"): (PI, False),
-    ("S3", "log"): (2 * PI, True),
-    ("S3", "half_log"): (2 * PI, True),
-    ("S3", "mrp"): (2 * PI, True),
-    ("S3", "vec"): None,
-    ("S3", "sign_vec"): (PI, False),
-}
-"""Where a law jumps, as an angle, and whether it or its rate grows without bound there."""
-
-EXACT: dict[tuple[str, float], tuple[list[float], ...]] = {
-    ("SO3", PI): (
-        [1, 0, 0, 0, -1, 0, 0, 0, -1],
-        [-1, 0, 0, 0, -1, 0, 0, 0, 1],
-        [0, 1, 0, 1, 0, 0, 0, 0, -1],
-    ),
-    ("S3", PI): ([0, 1, 0, 0], [0, 0, 0, -1]),
-    ("S3", 2 * PI): ([-1, 0, 0, 0],),
-}
-"""Elements exactly at the cut, free of rounding."""
-
-GROWTH = {"SO3": 3.0, "S3": 2.0}
-"""Largest residual of (1 + d) g over d: of the determinant, and of the squared norm."""
-
-AXES = tuple(np.array(axis, float) for axis in ([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, -2, 3]))
 
 Row = dict[str, Array]
 
@@ -61,13 +33,24 @@ def is_tracking(vehicle: Vehicle) -> bool:
 
 def good(vehicle: Vehicle, seed: int = 1, angle: float = 1.0) -> Row:
     """A state and a reference an angle apart, velocities of order one."""
-    random = np.random.default_rng(seed)
-    element = ELEMENT[vehicle.group]
-    row = {"g": element(AXES[3], angle).ravel(), "nu": random.normal(size=3)}
+    random, known = np.random.default_rng(seed), group(vehicle)
+    row = {"g": element(known, AXES[3], angle, seed)}
+    names = ["nu", *(name for name in ("momentum", "external") if name in vehicle.options)]
     if is_tracking(vehicle):
-        row |= {"g_r": element(AXES[0], 0.0).ravel()}
-        row |= {"nu_r": random.normal(size=3), "nu_r_dot": random.normal(size=3)}
-    return row
+        row |= {"g_r": np.array(known.identity, float)}
+        names += ["nu_r", "nu_r_dot"]
+    return row | {name: random.normal(size=known.dim) for name in names}
+
+
+def residual(vehicle: Vehicle) -> Callable[[Array], float]:
+    """The largest deviation from the group of stored numbers, as the group defines it."""
+    known = group(vehicle)
+    stored = sympy.Matrix(sympy.symbols(f"g:{known.size}"))
+    value = known.residual(stored)
+    if not value:
+        return lambda g: 0.0
+    run = sympy.lambdify(list(stored), list(value), "math")
+    return lambda g: max(map(abs, run(*g)))
 
 
 def put(row: Row, field: str, index: int, value: float) -> Row:
@@ -83,10 +66,10 @@ def cases(vehicle: Vehicle, limits: dict[str, float]) -> Iterator[Case]:
     yield from _single(row, limits["MAX_INPUT"])
     yield from _drifted(vehicle, row, limits["MAX_DRIFT"])
     yield from _ranked(row, limits["MAX_INPUT"])
-    if cut := CUT[vehicle.group, vehicle.law]:
+    if cut := elements.cut(group(vehicle), vehicle.law):
         yield from _cut(vehicle, *cut, limits)
     else:
-        for angle in (PI, 2 * PI):
+        for angle in (PI, 2 * PI) if elements.turner(group(vehicle)) is not None else ():
             yield Case(f"no cut at {angle:.2f}", good(vehicle, angle=angle), OK)
 
 
@@ -98,53 +81,63 @@ def _single(row: Row, limit: float) -> Iterator[Case]:
         for index in range(len(numbers)):
             for value, status in values:
                 yield Case(f"{field}[{index}] = {value}", put(row, field, index, value), status)
-            if field.startswith("nu"):
+            if not field.startswith("g"):
                 yield Case(f"{field}[{index}] at the limit", put(row, field, index, limit), OK)
 
 
 def _drifted(vehicle: Vehicle, row: Row, limit: float) -> Iterator[Case]:
-    drift = limit / GROWTH[vehicle.group]
+    """Scaled until the group's own measure is at the limit; and what is far off."""
+    size = residual(vehicle)
     for field in (name for name in row if name.startswith("g")):
-        for factor, status in ((1 + 1.05 * drift, OFF), (1 + 0.95 * drift, OK), (0.0, OFF)):
-            yield Case(f"{field} times {factor}", {**row, field: row[field] * factor}, status)
-        for factor, status in ((1 - 1.05 * drift, OFF), (1 - 0.95 * drift, OK), (2.0, OFF)):
-            yield Case(f"{field} times {factor}", {**row, field: row[field] * factor}, status)
-        yield Case(f"{field}[0] = 1.5", put(row, field, 0, 1.5), OFF)
-        if vehicle.group == "SO3":
-            mirror = row[field].reshape(3, 3) @ np.diag([1.0, 1.0, -1.0])
-            yield Case(f"{field} mirrored", {**row, field: mirror.ravel()}, OFF)
-            yield Case(f"{field} inverted", {**row, field: -row[field]}, OFF)
+        g = row[field]
+        for sign in (1, -1):
+            slope = size(g * (1 + sign * 1e-9)) / 1e-9
+            if slope < 0.1:
+                continue
+            for part, status in ((1.05, OFF), (0.95, OK)):
+                factor = 1 + sign * part * limit / slope
+                yield Case(f"{field} times {factor}", {**row, field: g * factor}, status)
+        for name, far in (("zero", 0 * g), ("doubled", 2 * g), ("inverted", -g)):
+            if size(far) > 0.01:
+                yield Case(f"{field} {name}", {**row, field: far}, OFF)
+        for k in range(len(g)):
+            if size(put(row, field, k, 1.5)[field]) > 0.01:
+                yield Case(f"{field}[{k}] = 1.5", put(row, field, k, 1.5), OFF)
+        for mirrored in elements.mirrors(group(vehicle), g):
+            yield Case(f"{field} mirrored", {**row, field: mirrored}, OFF)
 
 
 def _ranked(row: Row, limit: float) -> Iterator[Case]:
     """Two faults at once: the larger status wins, wherever each of them stands."""
-    off = put(row, "g", 0, 1.5)
+    off = {**row, "g": row["g"] + 0.5}
     for field in row:
         if field == "g":
             continue
         yield Case(f"off, {field} out of range", put(off, field, 0, 2 * limit), RANGE)
         yield Case(f"off, {field} not finite", put(off, field, 0, np.nan), NONFINITE)
-        far = put(row, "g", 1, 2 * limit)
+        far = put(row, "g", -1, 2 * limit)
         yield Case(f"far, {field} not finite", put(far, field, 0, np.inf), NONFINITE)
-        late = put(row, "g", 1, np.nan)
+        late = put(row, "g", -1, np.nan)
         yield Case(f"not finite, {field} far", put(late, field, 0, 2 * limit), NONFINITE)
 
 
 def _cut(vehicle: Vehicle, angle: float, is_pole: bool, limits: dict[str, float]) -> Iterator[Case]:
-    """Clearances are the sine or cosine of half the distance to the cut."""
-    row, element = good(vehicle), ELEMENT[vehicle.group]
-    near, refused = 2 * limits["NEAR_CUT"], 2 * limits["REFUSED_CUT"]
+    """A little before the cut, and at it."""
+    row, known = good(vehicle), group(vehicle)
+    near, refused = limits["NEAR_CUT"], limits["REFUSED_CUT"]
     steps = [(1.5 * near, OK), (0.5 * near, NEAR)]
-    if limits["REFUSED_CUT"] < 1e-7:  # finer than the entries of a float matrix resolve
+    if refused < 1e-7:  # finer than the entries of a float matrix resolve
         steps += [(10 * refused, NEAR), (0.5 * refused, RANGE if is_pole else NEAR)]
-    for axis in AXES:
-        for away, status in steps:
-            g = element(axis, angle - away).ravel()
-            yield Case(f"{away:.0e} from the cut", {**row, "g": g}, status)
-    for stored in EXACT[vehicle.group, angle]:
-        at = {**row, "g": np.array(stored, float)}
+    for seed, axis in enumerate(AXES):
+        for clearance, status in steps:
+            off = elements.away(known, vehicle.law, clearance)
+            g = element(known, axis, angle - off, seed)
+            yield Case(f"{clearance:.0e} from the cut", {**row, "g": g}, status)
+    for stored in elements.at_cut(known, vehicle.law):
+        at = {**row, "g": stored}
         yield Case(f"at the cut, {stored}", at, RANGE if is_pole else NEAR)
         beyond = put(at, "nu", 0, 2 * limits["MAX_INPUT"])
         yield Case(f"out of range at the cut, {stored}", beyond, RANGE)
-        drifted = at["g"] * (1 + 2 * limits["MAX_DRIFT"])
-        yield Case(f"off the group at the cut, {stored}", {**at, "g": drifted}, OFF)
+        drifted = stored * (1 + 2 * limits["MAX_DRIFT"])
+        if residual(vehicle)(drifted) > 1.5 * limits["MAX_DRIFT"]:
+            yield Case(f"off the group at the cut, {stored}", {**at, "g": drifted}, OFF)

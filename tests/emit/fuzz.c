@@ -1,7 +1,7 @@
 /*
  * Calls `control` on bit patterns from a fixed seed and judges what comes back by itself.
- * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, and HAS_REFERENCE come from the
- * command line, ELEMENTS and their number from elements.h. Prints how often a status came back.
+ * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, ROWS, HAS_REFERENCE and HAS_RESIDUAL come from
+ * the command line, ELEMENTS and their number from elements.h. Prints how often a status came back.
  */
 #include <math.h>
 #include <stdint.h>
@@ -16,10 +16,14 @@
 #define NAME(x) JOIN(PREFIX, x)
 #define LIMIT(x) JOIN(MACRO, x)
 
-enum { ROWS = 200000, WIDTH = 2 * STORED + 3 * DIM, COMMAND = 4 * DIM };
+enum {
+    STATE = sizeof(NAME(state)) / sizeof(REAL), /* g, nu, and what else the state holds */
+    WIDTH = STATE + STORED + 2 * DIM,
+    COMMAND = 4 * DIM
+};
 
 typedef struct {
-    REAL x[WIDTH]; /* g, nu, g_r, nu_r, nu_r_dot */
+    REAL x[WIDTH]; /* the state, then g_r, nu_r, nu_r_dot */
 } input;
 
 static uint64_t seed = UINT64_C(0x9e3779b97f4a7c15);
@@ -54,7 +58,7 @@ static input valid(void)
         in.x[i] = moderate();
     }
     memcpy(in.x, ELEMENTS[draw() % COUNT], sizeof(REAL) * STORED);
-    memcpy(in.x + STORED + DIM, ELEMENTS[draw() % COUNT], sizeof(REAL) * STORED);
+    memcpy(in.x + STATE, ELEMENTS[draw() % COUNT], sizeof(REAL) * STORED);
     return in;
 }
 
@@ -76,7 +80,7 @@ static input row(int kind)
             in.x[i] = any_bits();
         }
     } else if (kind == 1) { /* on the group, the velocities any bits that are in range */
-        for (i = STORED; i < WIDTH; i += i + 1 == STORED + DIM ? STORED + 1 : 1) {
+        for (i = STORED; i < WIDTH; i += i + 1 == STATE ? STORED + 1 : 1) {
             const REAL value = any_bits();
             in.x[i] = fabs((double)value) <= (double)LIMIT(MAX_INPUT) ? value : (REAL)i;
         }
@@ -91,7 +95,7 @@ static int judged(const input *in)
 {
     int worst = 0;
     int i;
-    for (i = 0; i < (HAS_REFERENCE ? WIDTH : STORED + DIM); i++) {
+    for (i = 0; i < (HAS_REFERENCE ? WIDTH : STATE); i++) {
         const double size = fabs((double)in->x[i]);
         const int one = !isfinite(size) ? 18 : size > (double)LIMIT(MAX_INPUT) ? 17 : 0;
         worst = one > worst ? one : worst;
@@ -102,13 +106,10 @@ static int judged(const input *in)
 static int called(const input *in, NAME(command) *command)
 {
     NAME(state) state;
-    memcpy(state.g, in->x, sizeof state.g);
-    memcpy(state.nu, in->x + STORED, sizeof state.nu);
+    memcpy(&state, in->x, sizeof state);
 #if HAS_REFERENCE
     NAME(reference) reference;
-    memcpy(reference.g, in->x + STORED + DIM, sizeof reference.g);
-    memcpy(reference.nu, in->x + 2 * STORED + DIM, sizeof reference.nu);
-    memcpy(reference.nu_dot, in->x + 2 * STORED + 2 * DIM, sizeof reference.nu_dot);
+    memcpy(&reference, in->x + STATE, sizeof reference);
     return (int)NAME(control)(&NAME(defaults), &state, &reference, command);
 #else
     return (int)NAME(control)(&NAME(defaults), &state, command);
@@ -119,7 +120,7 @@ static int is_wrong(const input *in, int status, const NAME(command) *command)
 {
     REAL out[COMMAND];
     const int found = judged(in);
-    const int last = 17;
+    const int last = HAS_RESIDUAL ? 17 : 18; /* what no residual bounds may overflow */
     int wrong = found ? status != found : status > last || (status > 2 && status < 16);
     wrong |= status == 1; /* nothing saturates */
     int i;

@@ -6,7 +6,7 @@ A subject is a vehicle; its texts are derived once per test run and shared.
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -15,12 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive import pipeline
-from derive.control.kinematic import LAWS
 from derive.control.table import CONTROLLERS
-from derive.lie.catalogue import GROUPS
+from derive.lie.group import Group
 from derive.native.compile import SHARED, Compiler, build
 from derive.native.load import Library
 from derive.vehicle import Vehicle, load
+from derive.vehicle.group import OwnGroup, group_of
+from tests.control.drawn import LAWS
+from tests.groups import ALL, BASES, MADE, NAMED, Rows, listed
 
 Array = NDArray[np.float64]
 
@@ -35,16 +37,20 @@ COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 CPP = {"gcc": "g++", "clang": "clang++"}
 
 
-def _made(group: str, law: str, controller: str, pattern: str) -> Vehicle:
+def _made(
+    group: str, law: str, controller: str = "gsmc", pattern: str = "full", *options: str
+) -> Vehicle:
     """A vehicle with a diagonally dominant inertia; its numbers all differ."""
-    n, present = GROUPS[group].dim, PATTERNS[pattern]
+    n, present = ALL[group].dim, PATTERNS[pattern]
     entry = [
         [(Fraction(5 + i) if i == j else Fraction(i + j, 10)) * present(i, j) for j in range(n)]
         for i in range(n)
     ]
     gains = tuple((name, Fraction(2 + k, 4)) for k, name in enumerate(CONTROLLERS[controller]))
+    words = (group.lower().replace(" x ", "_"), law, controller, pattern, *options)
+    units = ALL[group].units
     return Vehicle(
-        name=f"{group.lower()}_{law}_{controller}_{pattern}",
+        name="_".join(words),
         group=group,
         law=law,
         controller=controller,
@@ -53,37 +59,88 @@ def _made(group: str, law: str, controller: str, pattern: str) -> Vehicle:
         scalars=("f32", "f64"),
         targets=("c99", "numpy"),
         source="made for a test",
+        own=OwnGroup(group, _frozen(BASES[group]), units) if group in BASES else None,
+        options=options,
     )
+
+
+def _frozen(basis: Sequence[Rows]) -> tuple[tuple[tuple[Fraction, ...], ...], ...]:
+    return tuple(tuple(tuple(row) for row in e) for e in basis)
 
 
 FILES = tuple(load(path) for path in sorted(Path(__file__).parents[2].glob("vehicles/*.toml")))
 """The vehicles that come with the repository."""
 
-LAWFUL = tuple(_made(group, law, "gsmc", "full") for group, law in LAWS)
+WHOLE = ("SO3", "S3", "SE2")
+"""Groups of which every law is emitted; of the others one, so that each law has its turn."""
+
+
+def _sampled(groups: Iterable[str]) -> list[tuple[str, str]]:
+    laws = {group: [law for of, law in LAWS if of == group] for group in groups}
+    return [
+        (group, law)
+        for turn, (group, names) in enumerate(laws.items())
+        for law in (names if group in WHOLE else [names[turn % len(names)]])
+    ]
+
+
+def _is_random(group: str) -> bool:
+    return any(name in group for name in MADE)
+
+
+LAWFUL = tuple(_made(*pair) for pair in _sampled(name for name in ALL if not _is_random(name)))
+"""A law, or all of them, on every group that a vehicle file can name or describe."""
+
+RANDOM = tuple(_made(*pair) for pair in _sampled(name for name in ALL if _is_random(name)))
+"""A law on every random group."""
+
 SPARSE = tuple(
     _made(group, law, "gsmc", pattern)
-    for group, law in LAWS
+    for group, law in _sampled((*NAMED, "SL2", "S3 x SE2"))
     for pattern in PATTERNS
     if pattern != "full"
 )
 STEERED = tuple(
-    _made(group, "log", controller, "full")
-    for group in GROUPS
+    _made(group, law, controller)
+    for group, law in (
+        ("SO3", "log"),
+        ("S3", "log"),
+        ("SE2", "log"),
+        ("R3", "log"),
+        ("SL2", "skew"),
+    )
     for controller in CONTROLLERS
     if controller != "gsmc"
 )
+OPTED = (
+    _made("SE3", "log", "gsmc", "full", "external", "momentum"),
+    _made("S3", "vec", "reaching", "full", "momentum"),
+    _made("S3 x SE2", "log", "gsmc", "diagonal", "external"),
+)
+"""With wheels, and with a known force."""
 
-GUARDED = (*FILES, *LAWFUL, *STEERED)
-"""Every vehicle file, every law on every group, every controller."""
+GUARDED = (*FILES, *LAWFUL, *RANDOM, *STEERED, *OPTED)
+"""Every vehicle file, laws on every group, every controller and option."""
 
-ALL = (*GUARDED, *SPARSE)
-"""As GUARDED, and every law with the zero patterns of an inertia."""
+ALIKE = (*FILES, *STEERED, *OPTED, *RANDOM[:1])
+"""What stands for all of them where the law makes no difference."""
+
+EACH = (*GUARDED, *SPARSE)
+"""As GUARDED, and with the zero patterns of an inertia."""
+
+
+@cache
+def group(vehicle: Vehicle) -> Group:
+    """The group of a vehicle, those made for the tests included."""
+    with listed():
+        return group_of(vehicle)
 
 
 @cache
 def texts(vehicle: Vehicle) -> dict[str, str]:
-    """Every emitted file by path."""
-    return pipeline.texts(vehicle)
+    """Every emitted file by path. A group made for the tests is listed meanwhile."""
+    with listed():
+        return pipeline.texts(vehicle)
 
 
 def place(vehicle: Vehicle, folder: Path) -> Path:
@@ -110,20 +167,3 @@ def library(vehicle: Vehicle, scalar: str, folder: Path) -> Library:
     code = source(vehicle, scalar, folder)
     built = build([code], include.parent, folder / vehicle.name, SHARED, Compiler.find())
     return Library(include, built, f"{vehicle.name}_{scalar}")
-
-
-def rotation(axis: Array, angle: float) -> Array:
-    """Rotation matrix by Rodrigues' formula."""
-    x, y, z = axis / np.linalg.norm(axis)
-    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K)
-
-
-def quaternion(axis: Array, angle: float) -> Array:
-    """Unit quaternion, scalar first."""
-    unit = axis / np.linalg.norm(axis)
-    return np.concatenate(([np.cos(angle / 2)], np.sin(angle / 2) * unit))
-
-
-ELEMENT = {"SO3": rotation, "S3": quaternion}
-"""Group name -> element of an axis and an angle, in the group's storage, by textbook formula."""

@@ -12,11 +12,11 @@ from derive.native.load import load_module
 from derive.vehicle import Vehicle
 from tests.emit import subjects
 from tests.emit.cases import good
-from tests.emit.subjects import ELEMENT, FILES, STEERED
+from tests.emit.subjects import ALIKE, group
 
 KINDS = (np.int8, np.int16, np.int32, np.int64, np.uint64, np.float16, np.float32, np.longdouble)
 
-every_vehicle = pytest.mark.parametrize("vehicle", [*FILES, *STEERED], ids=lambda v: v.name)
+every_vehicle = pytest.mark.parametrize("vehicle", ALIKE, ids=lambda v: v.name)
 
 
 @pytest.fixture(scope="session")
@@ -30,7 +30,7 @@ def module(vehicle: Vehicle, folder: Path) -> Any:
 
 def inputs(vehicle: Vehicle) -> dict[str, Any]:
     """One good row, its configurations in the shape the module takes."""
-    shape = ELEMENT[vehicle.group](np.ones(3), 0.0).shape
+    shape = group(vehicle).shape
     row = good(vehicle)
     return {name: one.reshape(shape) if name[0] == "g" else one for name, one in row.items()}
 
@@ -59,7 +59,7 @@ def test_the_extremes_of_a_type_are_judged_in_double(
     made, given = module(vehicle, folder), inputs(vehicle)
     info: Any = np.iinfo(kind) if np.issubdtype(kind, np.integer) else np.finfo(kind)
     for value in (info.min, info.max):
-        nu = np.array([value, 0, 0], kind)
+        nu = np.array([value] + [0] * (group(vehicle).dim - 1), kind)
         with np.errstate(over="ignore"):
             wide = nu.astype(float)
         size = abs(wide[0])
@@ -72,6 +72,8 @@ def test_the_extremes_of_a_type_are_judged_in_double(
 @every_vehicle
 def test_truth_values_and_lists_are_numbers(folder: Path, vehicle: Vehicle) -> None:
     made, given = module(vehicle, folder), inputs(vehicle)
-    force = made.control(**{**given, "nu": [1.0, 0.0, 1.0]}).force.tolist()
-    for nu in (np.array([True, False, True]), [1, 0, 1], (1.0, False, 1)):
+    n = group(vehicle).dim
+    whole = [k % 2 == 0 for k in range(n)]
+    force = made.control(**{**given, "nu": [float(x) for x in whole]}).force.tolist()
+    for nu in (np.array(whole), [int(x) for x in whole], tuple(whole)):
         assert made.control(**{**given, "nu": nu}).force.tolist() == force

@@ -13,11 +13,11 @@ from derive.emit.literal import python_name
 from derive.native.load import Library, load_module
 from derive.vehicle import Vehicle
 from tests.emit import subjects
-from tests.emit.subjects import FILES, SPARSE, STEERED, Array
+from tests.emit.subjects import ALIKE, FILES, SPARSE, Array
 
 BAD = 19
 LIMIT = 1e9
-FORMS = [*FILES, *STEERED, *(v for v in SPARSE if v.law == "log")]
+FORMS = [*ALIKE, *(v for v in SPARSE if v.law == "log")]
 NAN, INF = float("nan"), float("inf")
 
 Changed = tuple[str, dict[str, Any]]
@@ -65,8 +65,9 @@ def indefinite(vehicle: Vehicle, inertia: Array) -> Iterator[Changed]:
             yield f"diagonal {index} = {value}", {"inertia": changed(inertia, index, value)}
     for index, present in enumerate(vehicle.pattern):
         if present and index not in diagonal:
-            yield f"coupling {index}", {"inertia": changed(inertia, index, 20.0)}
-    if all(vehicle.pattern):
+            ends = inertia[diagonal[rows[index]]] * inertia[diagonal[columns[index]]]
+            yield f"coupling {index}", {"inertia": changed(inertia, index, 1.1 * np.sqrt(ends))}
+    if all(vehicle.pattern) and n > 1:
         yield "of rank one", {"inertia": upper(np.ones((n, n)))}
         factor = np.tril(np.ones((n, n)))
         last = np.diag([*np.ones(n - 1), 0.0])
@@ -145,13 +146,13 @@ def test_numpy_parameters_have_the_shape_they_say(folder: Path, vehicle: Vehicle
     n, size = len(vehicle.inertia), len(vehicle.pattern)
     gain = python_name(vehicle.gains[0][0])
     nu = np.ones(n)
-    for wrong in (np.eye(n), np.ones((7, size + 3)), np.ones(size - 1), 1.0):
+    for wrong in (np.ones((n, size + 1)), np.ones((7, size + 3)), np.ones(size - 1), 1.0):
         params = made.DEFAULTS._replace(inertia=wrong)
         told = rf"inertia: expected an array \(\.\.\., {size}\), found"
         with pytest.raises(ValueError, match=told):
             made.check_params(params)
         with pytest.raises(ValueError, match=told):
-            made.plant(nu, nu, params)
+            made.plant(*[nu] * (2 + len(vehicle.options)), params)
     spread = made.DEFAULTS._replace(**{gain: [[1.0], [-1.0]]}, inertia=[made.DEFAULTS.inertia] * 3)
     assert made.check_params(spread).tolist() == [[0] * 3, [BAD] * 3]
     empty = made.DEFAULTS._replace(inertia=np.ones((0, size)))

@@ -13,9 +13,10 @@ from derive.explain.latex import LATEX
 from derive.explain.mathml import MATHML
 from derive.explain.notation import Notation, parts
 from derive.explain.text import TEXT
-from derive.lie.kernel import H, K
+from derive.lie.kernel import H, K, M
 from derive.vehicle import Vehicle
-from tests.emit.subjects import FILES, LAWFUL, STEERED
+from derive.vehicle.group import group_of
+from tests.explain.subjects import SUBJECTS
 
 a, b, w = symbols("a b w", real=True)
 a_0, a_1, b_0, b_1, c_0, c_1 = symbols("a_0 a_1 b_0 b_1 c_0 c_1", real=True)
@@ -29,7 +30,7 @@ def read(text: str) -> Expr:
     )
     line = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", line)
     names = {name: Symbol(name, real=True) for name in re.findall(r"[A-Za-z_]\w*(?!\w*\()", line)}
-    known = {"k": Function("k"), "h": Function("h"), "Abs": Abs, "sqrt": sqrt, "pi": pi}
+    known = {**{name: Function(name) for name in "khm"}, "Abs": Abs, "sqrt": sqrt, "pi": pi}
     called = {name: known[name] for name in known if f"{name}(" in line or name == "pi"}
     gain = Symbol("reach_gain", real=True)
     return sympy.sympify(line.replace("k_s", gain.name), {**names, gain.name: gain, **called})
@@ -42,10 +43,12 @@ def worth(value: Expr, seed: int) -> Expr:
         for symbol in value.free_symbols
     }
     here = value.xreplace(numbers)
-    return here.replace(Function("k"), K).replace(Function("h"), H).evalf(30)
+    for name, special in (("k", K), ("h", H), ("m", M)):
+        here = here.replace(Function(name), special)
+    return here.evalf(30)
 
 
-@pytest.mark.parametrize("vehicle", [*FILES, *LAWFUL, *STEERED], ids=lambda v: v.name)
+@pytest.mark.parametrize("vehicle", SUBJECTS, ids=lambda v: v.name)
 def test_every_entry_reads_back(vehicle: Vehicle) -> None:
     parts = pipeline.derivations(vehicle)
     entries = {
@@ -55,7 +58,7 @@ def test_every_entry_reads_back(vehicle: Vehicle) -> None:
         for entry in step.formula
         if not entry.has(Piecewise)
     }
-    assert len(entries) > 40
+    assert len(entries) > 4 * group_of(vehicle).dim
     for entry in sorted(entries, key=str):
         text = spell(entry, TEXT)
         plain = entry.xreplace({s: Symbol(s.name, real=True) for s in entry.free_symbols})
@@ -155,3 +158,14 @@ def test_a_name_is_read_as_the_papers_symbol(
 ) -> None:
     assert parts(name) == read_as
     assert LATEX.symbol(name) == latex
+
+
+@pytest.mark.parametrize("n", [LATEX, MATHML], ids=["latex", "mathml"])
+def test_a_long_sum_is_broken_within_a_product(n: Notation) -> None:
+    terms = symbols(" ".join(f"long_name_{i}" for i in range(20)), real=True)
+    shown = display("w", [(sympy.Add(*terms)) / c_0], {}, n)
+    assert all(n.symbol(f"long_name_{i}") in shown for i in range(20))
+    over = n.fraction % (n.symbol("1"), n.symbol("c_0"))
+    assert over + n.product + n.opening in shown
+    assert shown.count(n.opening) == shown.count(n.closing) == 1
+    assert shown.index(n.opening) < shown.index(n.closing)

@@ -1,5 +1,6 @@
 """What is said of the paper is what is computed: every formula without coordinates, evaluated."""
 
+import re
 from typing import Any
 
 import mpmath
@@ -14,16 +15,15 @@ from derive.explain import paper
 from derive.explain.latex import LATEX
 from derive.explain.mathml import MATHML
 from derive.explain.text import TEXT
-from derive.lie.catalogue import GROUPS
 from derive.lie.group import Group
 from derive.lie.kernel import SMALL, TINY
 from derive.routine.derivation import Derivation, Quantity
 from derive.vehicle import Vehicle
-from tests.emit.subjects import FILES, LAWFUL, STEERED
+from derive.vehicle.group import group_of
+from tests.explain.subjects import SUBJECTS
 
 Scope = dict[str, Any]
 
-SUBJECTS = [*FILES, *LAWFUL, *STEERED]
 every_vehicle = pytest.mark.parametrize("vehicle", SUBJECTS, ids=lambda v: v.name)
 
 
@@ -59,7 +59,7 @@ def stored(group: Group, random: np.random.Generator) -> list[float]:
 
 def evaluated(vehicle: Vehicle, d: Derivation, seed: int) -> Scope:
     """Every quantity of a routine at a random state, as matrices; configurations as elements."""
-    group, random = GROUPS[vehicle.group], np.random.default_rng(seed)
+    group, random = group_of(vehicle), np.random.default_rng(seed)
     known: dict[Symbol, Any] = {TINY: sympy.S.Zero, SMALL: sympy.Float(1e-60)}
     upper = [a for i, row in enumerate(vehicle.inertia) for a in row[i:]]
     row: Any
@@ -67,8 +67,11 @@ def evaluated(vehicle: Vehicle, d: Derivation, seed: int) -> Scope:
         row = upper if q.name == "inertia" else random.uniform(0.5, 2, q.size)
         row = stored(group, random) if q.place.endswith(".g") else row
         known |= zip(q.symbols(), (sympy.Float(float(a)) for a in row), strict=True)
-    for symbol, term in d.terms():
-        known[symbol] = term.xreplace(known).evalf()
+    for step in d.steps:
+        known |= {symbol: term.xreplace(known).evalf() for symbol, term in step.terms}
+        for symbol, formula in zip(step.symbols, step.formula, strict=True):
+            if symbol.is_Symbol and symbol not in known:  # shown, though nothing needs it
+                known[symbol] = formula.xreplace(known).evalf()
     n, inertia = group.dim, Matrix([[float(a) for a in row] for row in vehicle.inertia])
     described: list[tuple[Quantity, Any]] = [(q, q.symbols()) for q in d.inputs]
     described += [(s.quantity, s.symbols) for s in d.steps] + list(d.outputs)
@@ -80,6 +83,8 @@ def evaluated(vehicle: Vehicle, d: Derivation, seed: int) -> Scope:
         scope[name] = Matrix(np.array(group.embed(scope[name]), float))
     if "to_body" in scope:
         scope["to_body"] = scope["to_body"].reshape(n, n)
+    for name, source in (("eta", "nu_r"), ("eta_dot", "nu_r_dot")):  # where elements commute
+        scope.setdefault(name, scope.get(source))
     return scope
 
 
@@ -93,11 +98,9 @@ def test_every_formula_holds(vehicle: Vehicle) -> None:
     parts = pipeline.derivations(vehicle)
     for seed, d in enumerate((parts.main, *parts.public)):
         scope = evaluated(vehicle, d, seed)
-        steps = {step.quantity.name for step in d.steps}
-        sources = [source for (name, step), source in paper.STEPS.items()
-                   if name == d.name and step in steps]  # fmt: skip
-        assert len(sources) >= 2
-        for source in (*sources, paper.ROUTINES[d.name]):
+        sources = [said for step in d.steps if (said := paper.step(d, step.quantity.name))]
+        assert len(sources) >= (2 if any(map(any, group_of(vehicle).structure)) else 0)
+        for source in (*sources, paper.routine(d)):
             left, right = sides(source, scope)
             assert left.shape == right.shape, source
             assert (left - right).norm() <= 1e-11 * (1 + left.norm()), source
@@ -158,3 +161,13 @@ def test_a_formula_is_spelled_as_meant(source: str, text: str, latex: str, mathm
 def test_what_cannot_be_read_is_refused() -> None:
     with pytest.raises(TypeError, match="no rule reads"):
         paper.said("a if b else c", TEXT)
+
+
+@pytest.mark.parametrize("name", ["heisenberg", "product"])
+def test_wheels_and_known_forces_are_in_the_formulas(name: str) -> None:
+    (vehicle,) = (one for one in SUBJECTS if one.name == name)
+    parts = pipeline.derivations(vehicle)
+    for d in (parts.main, *parts.public):
+        assert "(I*nu + momentum)" in paper.routine(d)
+        assert re.search(r"[-+] external$", paper.routine(d))
+    assert paper.step(parts.main, "whole_momentum") == "whole_momentum == I*nu + momentum"

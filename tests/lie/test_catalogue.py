@@ -10,8 +10,9 @@ from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from sympy import Matrix, eye
 
-from derive.lie.catalogue import GROUPS, left_product
+from derive.lie.catalogue import GROUPS, left_product, named
 from derive.lie.group import Group
+from derive.routine.derivation import Derivation, Quantity
 from tests.points import hamilton, vector
 
 ROTATIONS = {name: group for name, group in GROUPS.items() if group.is_rotation}
@@ -68,3 +69,52 @@ def test_the_left_product_is_hamiltons() -> None:
     assert list(left_product(Matrix(p)) * Matrix(q)) == list(Matrix(list(hamilton(p, q))))
     i, j, k = (left_product(eye(4)[:, axis]) for axis in (1, 2, 3))
     assert i * j == k
+
+
+FRAMES = {"SE2": (2, 1), "SE3": (3, 1), "SE23": (3, 2)}
+"""Axes and columns of the groups that translate."""
+
+
+@pytest.mark.parametrize("name", FRAMES)
+def test_rotation_comes_before_translation_column_by_column(name: str) -> None:
+    """One second at unit speed along axis i shifts column j by one along i, and nothing else."""
+    group, (axes, columns) = GROUPS[name], FRAMES[name]
+    turns = group.dim - axes * columns
+    assert group.units[:turns] == ("rad/s",) * turns
+    for j in range(columns):
+        for i in range(axes):
+            x = np.zeros(group.dim, int)
+            x[turns + axes * j + i] = 1
+            g = expm(np.array(group.hat(Matrix(x.tolist())).tolist(), float))
+            wanted = np.eye(axes + columns)
+            wanted[i, axes + j] = 1
+            assert_allclose(g, wanted, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", ["SO2", "SE2"])
+def test_a_positive_rate_in_the_plane_turns_the_first_axis_to_the_second(name: str) -> None:
+    x = [np.pi / 2] + [0] * (GROUPS[name].dim - 1)
+    g = expm(np.array(GROUPS[name].hat(Matrix(x)).tolist(), float))
+    assert_allclose(g[:2, :2], [[0, -1], [1, 0]], atol=1e-15)
+
+
+def test_products_and_vector_spaces_are_found_by_name() -> None:
+    both = named("SE3 x SO3")
+    assert (both.name, both.dim, both.size, both.shape) == ("SE3 x SO3", 9, 25, (25,))
+    assert both.units == (*GROUPS["SE3"].units, *GROUPS["SO3"].units)
+    assert named("R24").dim == 24
+    assert named("T3").name == named("R3").name == GROUPS["R3"].name
+    for unknown in ("R0", "R25", "SO5", "SE3 x", "so3"):
+        with pytest.raises(KeyError):
+            named(unknown)
+
+
+def test_every_factor_of_a_long_product_counts() -> None:
+    many = named(" x ".join(["SO2"] * 9))
+    d = Derivation("long", "", "")
+    g, g_r, x = (d.take(Quantity(name, size, "1", "", place=name))
+                 for name, size in (("g", 36), ("g_r", 36), ("x", 9)))  # fmt: skip
+    assert len(many.error(d.let, g_r, g)) == 36
+    assert len(many.pull(d.let, g)("eta", x)) == 9
+    with pytest.raises(ValueError, match="27 factors: at most 26"):
+        named(" x ".join(["SO2"] * 27))

@@ -36,6 +36,8 @@ PROMISED = {
     "help": (0.15, "s"),
     "prove": (15, "s"),
     "prove_se3": (60, "s"),
+    "by hand": (1.1, "times"),
+    "loop": (1e-8, "relative"),
 }
 
 

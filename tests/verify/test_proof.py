@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 import mpmath
@@ -15,9 +16,7 @@ import sympy
 from scipy.linalg import expm
 
 from derive import cli
-from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS
-from derive.lie.kernel import K
 from derive.verify.proof import mistake_loop
 from derive.verify.proof import run as proof
 from derive.verify.proof.report import ENOUGH, ProofReport, Row
@@ -34,16 +33,18 @@ paper = [statement for statement in STATEMENTS if statement.kind == "paper"]
 quick = [statement for statement in STATEMENTS if statement.name.startswith("Lemma 1")]
 
 
-def subjects(statement: Statement) -> list[Subject]:
-    """Generic ones, and SO3 and S3 for what is proved on rotations alone."""
-    rotations = [Subject(name, GROUPS[name]) for name in ("SO3", "S3")]
-    return generic().get(statement.kind, rotations)
+@cache
+def subjects(kind: str) -> list[Subject]:
+    """Generic ones, and SE2 for what is proved of one group at a time."""
+    if kind in (every := generic()):
+        return every[kind]
+    return concrete(GROUPS["SE2"], None, options=("external", "momentum"))[0][kind]
 
 
 @every_statement
 def test_a_statement_is_proved_and_its_mutants_rejected_for_any_group(statement: Statement) -> None:
     assert len(statement.mutants) >= ENOUGH
-    for name, subject, _ in subjects(statement):
+    for name, subject, _ in subjects(statement.kind):
         facts, survivors = statement.judge(subject)
         assert facts
         assert [fact.what for fact in facts if not fact.holds] == [], name
@@ -52,24 +53,26 @@ def test_a_statement_is_proved_and_its_mutants_rejected_for_any_group(statement:
 
 @every_statement
 def test_a_mutant_in_the_place_of_a_statement_is_a_failure(statement: Statement) -> None:
-    subject = subjects(statement)[0].value
+    subject = subjects(statement.kind)[0].value
     for what, claim in statement.mutants.items():
         facts, _ = replace(statement, claim=claim).judge(subject)
         assert not all(fact.holds for fact in facts), what
 
 
-@pytest.mark.parametrize("group", GROUPS)
-@pytest.mark.parametrize("inertia", [None, BODY], ids=["symbols", "numbers"])
-def test_every_statement_holds_on_every_group(group: str, inertia: proof.Inertia | None) -> None:
-    if inertia is not None and GROUPS[group].dim != len(inertia):
-        pytest.skip("the paper's body has three axes")
-    own, skipped = concrete(GROUPS[group], inertia)
-    assert {"algebra"} <= own.keys()
-    assert all(group in reason for reason in skipped)
+@pytest.mark.parametrize("group", ["SO3", "S3"])
+def test_every_statement_holds_for_the_papers_body(group: str) -> None:
+    own, skipped = concrete(GROUPS[group], BODY, law="log")
+    assert skipped == ()
     for statement in STATEMENTS:
         for subject in own.get(statement.kind, []):
             facts, _ = statement.judge(subject.value)
             assert [fact.what for fact in facts if not fact.holds] == [], statement.name
+
+
+def test_without_a_vehicle_every_logarithm_of_the_catalogue_is_proved() -> None:
+    report = prove(None, statements=[one for one in STATEMENTS if one.kind == "logarithm"])
+    assert [row.of for row in report.rows] == list(GROUPS)
+    assert report.ok
 
 
 def test_a_group_with_a_wrong_Ad_is_found_out() -> None:
@@ -79,19 +82,10 @@ def test_a_group_with_a_wrong_Ad_is_found_out() -> None:
     assert not report.ok
 
 
-def test_an_emitted_rate_of_another_logarithm_is_found_out(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    half = replace(LAWS["SO3", "log"], factor=lambda let, w, v: K(w) / 2)
-    monkeypatch.setitem(LAWS, ("SO3", "log"), half)
-    (statement,) = (one for one in STATEMENTS if one.kind == "rotation")
-    facts, _ = statement.judge(GROUPS["SO3"])
-    assert [fact.holds for fact in facts] == [False, True, False]
-
-
 def test_a_group_with_a_wrong_inverse_is_not_decided() -> None:
     wrong = replace(GROUPS["SO3"], inverse=lambda rotation: rotation)
-    _, skipped = concrete(wrong, None)
+    own, skipped = concrete(wrong, None)
+    assert sorted(own) == ["algebra", "inverse"]
     assert "SO3" in skipped[0]
 
 

@@ -19,6 +19,9 @@ from sympy.polys.matrices import DomainMatrix
 
 from derive.lie.group import Group
 
+Inertia = Sequence[Sequence[Fraction]]
+"""Exact rows, (n, n)."""
+
 Scalar = Any
 """A polynomial with rational coefficients."""
 

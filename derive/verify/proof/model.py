@@ -1,19 +1,21 @@
 """Models in which the formulas of the tangent bundle and of motions on a group are decided.
 
 Words: a free group, where only what follows from the axioms holds. Elements: exact rational
-elements of one group, reached by Cayley's map; a polynomial identity that holds there holds
-everywhere but with the probability of meeting its zeros by chance (Schwartz and Zippel).
+elements of one group; a polynomial identity that holds there holds everywhere but with the
+probability of meeting its zeros by chance (Schwartz and Zippel).
 """
 
 from __future__ import annotations
 
 import random
+from functools import reduce
 from typing import Any
 
 import sympy
 from sympy import Matrix, Rational, Symbol
 
 from derive.lie.group import Group
+from derive.verify.proof.exponential import one_parameter
 from derive.verify.proof.tangent import State
 
 Word = tuple[tuple[str, int], ...]
@@ -57,12 +59,15 @@ class Words:
 
 
 class Elements:
-    """Exact elements of a group with the law vee(g - g^-1)/2, which is odd on every group."""
+    """Exact elements with a law that is odd on every group, and additive on none.
+
+    x + x^3, entry by entry, of x = vee(g - g^-1)/4.
+    """
 
     def __init__(self, group: Group, seed: int = 0) -> None:
         rng = random.Random(seed)
         self.group, self.name = group, group.name
-        a, b, c = (State(element(group, rng), vector(group.dim, rng)) for _ in range(3))
+        a, b, c = (State(element(group, rng), numbers(group.dim, rng)) for _ in range(3))
         self.states = (a, b, c)
         self.rest = State(a.g**0, sympy.zeros(group.dim, 1))
 
@@ -75,30 +80,52 @@ class Elements:
         return self.group.inverse(a)
 
     def drive(self, a: Matrix) -> Matrix:
-        """lambda nu_u with lambda = 1/2."""
-        return self.group.vee(a - self.inverse(a)) / 4
+        """lambda nu_u."""
+        x = self.group.vee(a - self.inverse(a)) / 4
+        return x + x.multiply_elementwise(x).multiply_elementwise(x)
 
     def entries(self, a: Matrix, nu: Matrix) -> list[Any]:
         """Of a - 1 and of nu."""
         return [*(a - a**0), *nu]
 
 
-def element(group: Group, rng: random.Random) -> Matrix:
-    """An exact element (1 - X/2)^-1 (1 + X/2), X = hat(x) with random rational x.
+N = 2**61
+"""How many values each free number may take, on either side of zero."""
 
-    ValueError where that is not on the group: it is on every group that keeps a bilinear form or
-    is affine over one.
+
+def number(rng: random.Random) -> Rational:
+    """A random rational number between -1 and 1, never 0."""
+    return Rational(rng.choice((-1, 1)) * rng.randrange(1, N), N)
+
+
+def numbers(size: int, rng: random.Random) -> Matrix:
+    """Random rational numbers, (size, 1)."""
+    return Matrix([number(rng) for _ in range(size)])
+
+
+def element(group: Group, rng: random.Random) -> Matrix:
+    """An exact element; ValueError for a group of which none is known.
+
+    By Cayley's map of the algebra, or else as a product of one-parameter elements, one for each
+    basis vector: such products fill a neighbourhood of the identity, and so miss nothing.
     """
-    half = group.hat(vector(group.dim, rng)) / 2
+    x = numbers(group.dim, rng)
+    half = group.hat(x) / 2
     one = half**0
-    g = Matrix((one - half).inv() * (one + half))
-    back = group.inverse(g)
-    stays = all(group.hat(group.vee(g * e * back)) == g * e * back for e in group.basis)
-    if g * back != one or Matrix(group.embed(group.store(g))) != g or not stays:
-        raise ValueError(f"{group.name}: Cayley's map of its algebra does not lead into the group")
+    if (one - half).det() != 0:
+        g = Matrix((one - half).inv() * (one + half))
+        if _is_element(group, g):
+            return g
+    g = reduce(Matrix.__mul__, (one_parameter(e, t) for e, t in zip(group.basis, x, strict=True)))
+    if not _is_element(group, g):
+        raise ValueError(f"{group.name}: the inverse, Ad or storage of exp(x) is not the group's")
     return g
 
 
-def vector(size: int, rng: random.Random) -> Matrix:
-    """Rational numbers between -9/7 and 9/7, (size, 1)."""
-    return Matrix([Rational(rng.randint(-9, 9), 7) for _ in range(size)])
+def _is_element(group: Group, g: Matrix) -> bool:
+    """Whether inverse, storage and Ad keep what they have to."""
+    back = group.inverse(g)
+    stored = group.store(g)
+    if g * back != g**0 or Matrix(group.embed(stored)) != g or any(group.residual(stored)):
+        return False
+    return all(group.hat(group.vee(g * e * back)) == g * e * back for e in group.basis)

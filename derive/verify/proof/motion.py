@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import Any, Protocol
 
 import sympy
 from sympy import Matrix, Symbol
 
 from derive.lie.group import Group
-from derive.verify.proof.model import element, vector
+from derive.verify.proof.dual import Walk, exact, shown
+from derive.verify.proof.model import element, numbers
 from derive.verify.proof.statement import Fact, Statement, vanish
 
 EPS = Symbol("eps")
@@ -66,20 +68,37 @@ class GroupMotion:
     def __init__(self, group: Group, seed: int = 1) -> None:
         rng = random.Random(seed)
         self.group, self.name, self.g = group, group.name, element(group, rng)
-        self.reference = tuple(vector(group.dim, rng) for _ in range(2))
+        self.reference = tuple(numbers(group.dim, rng) for _ in range(2))
+
+    @cached_property
+    def moves(self) -> list[Matrix]:
+        """Rate of Ad(g^-1), (n, n), along each basis vector, through the group's own formulas."""
+        g = Matrix(sympy.symbols(f"g:{self.group.size}"))
+        entries = self.group.Ad(self.group.inverse(self.group.embed(g)))
+        stored = self.group.store(self.g)
+        nothing = self.group.store(0 * self.g)
+        found = []
+        for generator in self.group.basis:
+            rates = self.group.store(self.g * generator) - nothing
+            pairs = zip(map(exact, stored), map(exact, rates), strict=True)
+            walk = Walk(dict(zip(g, pairs, strict=True)), {}, None)
+            found.append(entries.applyfunc(lambda one, walk=walk: shown(walk(one)[1])))
+        return found
 
     def motions(self) -> Iterator[tuple[Any, Any, Any, Any]]:
         """One per basis vector."""
         nu_r, nu_r_dot = self.reference
-        for i, generator in enumerate(self.group.basis):
-            ahead = self.g + EPS * self.g * generator
-            eta = self.group.Ad(self.group.inverse(ahead)) * (nu_r + EPS * nu_r_dot)
+        for i, moves in enumerate(self.moves):
             unit = sympy.eye(self.group.dim)[:, i]
-            yield nu_r, nu_r_dot, unit, Matrix(eta).diff(EPS).subs(EPS, 0)
+            yield nu_r, nu_r_dot, unit, moves * nu_r + self.carried(nu_r_dot)
 
     def carried(self, x: Any) -> Any:
         """By the group's own Ad."""
-        return self.group.Ad(self.group.inverse(self.g)) * x
+        return self._back * x
+
+    @cached_property
+    def _back(self) -> Matrix:
+        return self.group.Ad(self.group.inverse(self.g))
 
     def bracket(self, x: Any, y: Any) -> Any:
         """By the structure constants."""

@@ -56,7 +56,8 @@ DEFAULTS = Params(
 
 
 def control(
-    g: Array, nu: Array, momentum: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, momentum: Array, g_r: Array, nu_r: Array, nu_r_dot: Array,
+    params: Params = DEFAULTS
 ) -> Command:
     """Guarded controller: force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
 
@@ -116,7 +117,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
 
 
 def tracking(
-    g: Array, nu: Array, momentum: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, momentum: Array, g_r: Array, nu_r: Array, nu_r_dot: Array,
+    params: Params = DEFAULTS
 ) -> Command:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what `control` checks.
 

@@ -325,7 +325,10 @@ def _law(
 ) -> Array:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
     # -- tracking --
-    inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8,
+        inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[4], inertia[5], inertia[6], inertia[7],
         inertia[8], inertia[10], inertia[11], inertia[12], inertia[13], inertia[15], inertia[18],
         inertia[20]
@@ -583,7 +586,10 @@ def _reaching(
 ) -> Array:
     """Force that drives (g, nu) to (e, 0); eq. (Ctrl2)."""
     # -- reaching --
-    inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8,
+        inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[4], inertia[5], inertia[6], inertia[7],
         inertia[8], inertia[10], inertia[11], inertia[12], inertia[13], inertia[15], inertia[18],
         inertia[20]
@@ -766,7 +772,10 @@ def _plant(
 ) -> Array:
     """Acceleration under a force, Euler-Poincare; eq. (EulerP)."""
     # -- plant --
-    inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8,
+        inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[4], inertia[5], inertia[6], inertia[7],
         inertia[8], inertia[10], inertia[11], inertia[12], inertia[13], inertia[15], inertia[18],
         inertia[20]
@@ -905,7 +914,10 @@ def _definiteness(
 ) -> Array:
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
-    inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8,
+        inertia_10, inertia_11, inertia_12, inertia_13, inertia_15, inertia_18, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[4], inertia[5], inertia[6], inertia[7],
         inertia[8], inertia[10], inertia[11], inertia[12], inertia[13], inertia[15], inertia[18],
         inertia[20]

@@ -110,7 +110,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
     with np.errstate(all="ignore"):
         pivots = _batched(_definiteness, [inertia])[0]
         good = (np.abs(inertia) <= MAX_PARAM).all(-1) & (pivots > 0.0).all(-1)
-        good = good & (inertia[..., [1, 3, 5, 6, 7, 8, 10, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 25, 26, 27, 28, 29, 31, 32, 33, 34, 36, 37, 38, 40, 41, 43]] == 0.0).all(-1)
+        good = good & (inertia[..., [1, 3, 5, 6, 7, 8, 10, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22,
+            23, 25, 26, 27, 28, 29, 31, 32, 33, 34, 36, 37, 38, 40, 41, 43]] == 0.0).all(-1)
         for gain in gains:
             good = good & ((gain > 0.0) & (gain <= MAX_PARAM))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
@@ -123,7 +124,8 @@ def tracking(
 
     g: configuration: matrix of 4 rows, row by row; then rotation matrix, row by row [1], (..., 25)
     nu: body velocity [rad/s, m/s], (..., 9)
-    g_r: reference configuration: matrix of 4 rows, row by row; then rotation matrix, row by row [1], (..., 25)
+    g_r: reference configuration: matrix of 4 rows, row by row; then rotation matrix, row by row
+        [1], (..., 25)
     nu_r: reference velocity, reference body frame [rad/s, m/s], (..., 9)
     nu_r_dot: its rate [rad/s^2, m/s^2], (..., 9)
     Nothing is judged: every status is OK.
@@ -327,27 +329,39 @@ def _law(
 ) -> Array:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
     # -- tracking --
-    inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30, inertia_35, inertia_39, inertia_42, inertia_44 = (
+    (
+        inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30,
+        inertia_35, inertia_39, inertia_42, inertia_44,
+    ) = (
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
     rate_gain = lambda_[0]
     reach_gain = k_s[0]
-    g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8, g_9, g_10, g_11, g_16, g_17, g_18, g_19, g_20, g_21, g_22, g_23, g_24 = (
+    (
+        g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8, g_9, g_10, g_11, g_16, g_17, g_18, g_19, g_20,
+        g_21, g_22, g_23, g_24,
+    ) = (
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11], g[16], g[17],
         g[18], g[19], g[20], g[21], g[22], g[23], g[24]
     )
     nu_0, nu_1, nu_2, nu_3, nu_4, nu_5, nu_6, nu_7, nu_8 = (
         nu[0], nu[1], nu[2], nu[3], nu[4], nu[5], nu[6], nu[7], nu[8]
     )
-    g_r_0, g_r_1, g_r_2, g_r_3, g_r_4, g_r_5, g_r_6, g_r_7, g_r_8, g_r_9, g_r_10, g_r_11, g_r_16, g_r_17, g_r_18, g_r_19, g_r_20, g_r_21, g_r_22, g_r_23, g_r_24 = (
+    (
+        g_r_0, g_r_1, g_r_2, g_r_3, g_r_4, g_r_5, g_r_6, g_r_7, g_r_8, g_r_9, g_r_10, g_r_11,
+        g_r_16, g_r_17, g_r_18, g_r_19, g_r_20, g_r_21, g_r_22, g_r_23, g_r_24,
+    ) = (
         g_r[0], g_r[1], g_r[2], g_r[3], g_r[4], g_r[5], g_r[6], g_r[7], g_r[8], g_r[9], g_r[10],
         g_r[11], g_r[16], g_r[17], g_r[18], g_r[19], g_r[20], g_r[21], g_r[22], g_r[23], g_r[24]
     )
     nu_r_0, nu_r_1, nu_r_2, nu_r_3, nu_r_4, nu_r_5, nu_r_6, nu_r_7, nu_r_8 = (
         nu_r[0], nu_r[1], nu_r[2], nu_r[3], nu_r[4], nu_r[5], nu_r[6], nu_r[7], nu_r[8]
     )
-    nu_r_dot_0, nu_r_dot_1, nu_r_dot_2, nu_r_dot_3, nu_r_dot_4, nu_r_dot_5, nu_r_dot_6, nu_r_dot_7, nu_r_dot_8 = (
+    (
+        nu_r_dot_0, nu_r_dot_1, nu_r_dot_2, nu_r_dot_3, nu_r_dot_4, nu_r_dot_5, nu_r_dot_6,
+        nu_r_dot_7, nu_r_dot_8,
+    ) = (
         nu_r_dot[0], nu_r_dot[1], nu_r_dot[2], nu_r_dot[3], nu_r_dot[4], nu_r_dot[5], nu_r_dot[6],
         nu_r_dot[7], nu_r_dot[8]
     )
@@ -687,7 +701,8 @@ def _law(
         (force_0, force_1, force_2, force_3, force_4, force_5, force_6, force_7, force_8),
         (s_0, s_1, s_2, s_3, s_4, s_5, s_6, s_7, s_8),
         (phi_a_0, phi_a_1, phi_a_2, rho_p_a_0, rho_p_a_1, rho_p_a_2, nu_u_6, nu_u_7, nu_u_8),
-        (nu_u_dot_0, nu_u_dot_1, nu_u_dot_2, nu_u_dot_3, nu_u_dot_4, nu_u_dot_5, nu_u_dot_6, nu_u_dot_7, nu_u_dot_8),
+        (nu_u_dot_0, nu_u_dot_1, nu_u_dot_2, nu_u_dot_3, nu_u_dot_4, nu_u_dot_5, nu_u_dot_6,
+         nu_u_dot_7, nu_u_dot_8),
         (clearance_0,),
     )
 
@@ -697,13 +712,19 @@ def _reaching(
 ) -> Array:
     """Force that drives (g, nu) to (e, 0); eq. (Ctrl2)."""
     # -- reaching --
-    inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30, inertia_35, inertia_39, inertia_42, inertia_44 = (
+    (
+        inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30,
+        inertia_35, inertia_39, inertia_42, inertia_44,
+    ) = (
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
     rate_gain = lambda_[0]
     reach_gain = k_s[0]
-    g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8, g_9, g_10, g_11, g_16, g_17, g_18, g_19, g_20, g_21, g_22, g_23, g_24 = (
+    (
+        g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8, g_9, g_10, g_11, g_16, g_17, g_18, g_19, g_20,
+        g_21, g_22, g_23, g_24,
+    ) = (
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11], g[16], g[17],
         g[18], g[19], g[20], g[21], g[22], g[23], g[24]
     )
@@ -950,7 +971,8 @@ def _reaching(
         (force_0, force_1, force_2, force_3, force_4, force_5, force_6, force_7, force_8),
         (s_0, s_1, s_2, s_3, s_4, s_5, s_6, s_7, s_8),
         (phi_a_0, phi_a_1, phi_a_2, rho_p_a_0, rho_p_a_1, rho_p_a_2, nu_u_6, nu_u_7, nu_u_8),
-        (nu_u_dot_0, nu_u_dot_1, nu_u_dot_2, nu_u_dot_3, nu_u_dot_4, nu_u_dot_5, nu_u_dot_6, nu_u_dot_7, nu_u_dot_8),
+        (nu_u_dot_0, nu_u_dot_1, nu_u_dot_2, nu_u_dot_3, nu_u_dot_4, nu_u_dot_5, nu_u_dot_6,
+         nu_u_dot_7, nu_u_dot_8),
     )
 
 
@@ -959,7 +981,10 @@ def _plant(
 ) -> Array:
     """Acceleration under a force, Euler-Poincare; eq. (EulerP)."""
     # -- plant --
-    inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30, inertia_35, inertia_39, inertia_42, inertia_44 = (
+    (
+        inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30,
+        inertia_35, inertia_39, inertia_42, inertia_44,
+    ) = (
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
@@ -1038,7 +1063,10 @@ def _residual(
 ) -> Array:
     """Distance of stored numbers from the group."""
     # -- residual --
-    g_0, g_1, g_2, g_4, g_5, g_6, g_8, g_9, g_10, g_12, g_13, g_14, g_15, g_16, g_17, g_18, g_19, g_20, g_21, g_22, g_23, g_24 = (
+    (
+        g_0, g_1, g_2, g_4, g_5, g_6, g_8, g_9, g_10, g_12, g_13, g_14, g_15, g_16, g_17, g_18,
+        g_19, g_20, g_21, g_22, g_23, g_24,
+    ) = (
         g[0], g[1], g[2], g[4], g[5], g[6], g[8], g[9], g[10], g[12], g[13], g[14], g[15], g[16],
         g[17], g[18], g[19], g[20], g[21], g[22], g[23], g[24]
     )
@@ -1065,7 +1093,8 @@ def _residual(
     )
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6, g_12, g_13, g_14, off_10, off_11, off_12, off_13, off_14, off_15, off_16, off_17),
+        (off_0, off_1, off_2, off_3, off_4, off_5, off_6, g_12, g_13, g_14, off_10, off_11, off_12,
+         off_13, off_14, off_15, off_16, off_17),
     )
 
 
@@ -1074,7 +1103,10 @@ def _definiteness(
 ) -> Array:
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
-    inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30, inertia_35, inertia_39, inertia_42, inertia_44 = (
+    (
+        inertia_0, inertia_2, inertia_4, inertia_9, inertia_11, inertia_17, inertia_24, inertia_30,
+        inertia_35, inertia_39, inertia_42, inertia_44,
+    ) = (
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
@@ -1094,5 +1126,6 @@ def _definiteness(
     pivot_4 = inertia_30 - inertia_0*lower_40*lower_40 - pivot_2*lower_42*lower_42
     # -- end --
     return (
-        (inertia_0, inertia_9, pivot_2, pivot_3, pivot_4, inertia_35, inertia_39, inertia_42, inertia_44),
+        (inertia_0, inertia_9, pivot_2, pivot_3, pivot_4, inertia_35, inertia_39, inertia_42,
+         inertia_44),
     )

@@ -57,7 +57,8 @@ DEFAULTS = Params(
 
 
 def control(
-    g: Array, nu: Array, external: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, external: Array, g_r: Array, nu_r: Array, nu_r_dot: Array,
+    params: Params = DEFAULTS
 ) -> Command:
     """Guarded controller: force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
 
@@ -116,7 +117,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
 
 
 def tracking(
-    g: Array, nu: Array, external: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
+    g: Array, nu: Array, external: Array, g_r: Array, nu_r: Array, nu_r_dot: Array,
+    params: Params = DEFAULTS
 ) -> Command:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what `control` checks.
 
@@ -332,7 +334,11 @@ def _law(
 ) -> Array:
     """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
     # -- tracking --
-    inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14, inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7,
+        inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14,
+        inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5], inertia[6],
         inertia[7], inertia[8], inertia[9], inertia[10], inertia[11], inertia[12], inertia[13],
         inertia[14], inertia[15], inertia[16], inertia[17], inertia[18], inertia[19], inertia[20]
@@ -612,7 +618,11 @@ def _reaching(
 ) -> Array:
     """Force that drives (g, nu) to (e, 0); eq. (Ctrl2)."""
     # -- reaching --
-    inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14, inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7,
+        inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14,
+        inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5], inertia[6],
         inertia[7], inertia[8], inertia[9], inertia[10], inertia[11], inertia[12], inertia[13],
         inertia[14], inertia[15], inertia[16], inertia[17], inertia[18], inertia[19], inertia[20]
@@ -817,7 +827,11 @@ def _plant(
 ) -> Array:
     """Acceleration under a force, Euler-Poincare; eq. (EulerP)."""
     # -- plant --
-    inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14, inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7,
+        inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14,
+        inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5], inertia[6],
         inertia[7], inertia[8], inertia[9], inertia[10], inertia[11], inertia[12], inertia[13],
         inertia[14], inertia[15], inertia[16], inertia[17], inertia[18], inertia[19], inertia[20]
@@ -993,7 +1007,11 @@ def _definiteness(
 ) -> Array:
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
-    inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7, inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14, inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20 = (
+    (
+        inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5, inertia_6, inertia_7,
+        inertia_8, inertia_9, inertia_10, inertia_11, inertia_12, inertia_13, inertia_14,
+        inertia_15, inertia_16, inertia_17, inertia_18, inertia_19, inertia_20,
+    ) = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5], inertia[6],
         inertia[7], inertia[8], inertia[9], inertia[10], inertia[11], inertia[12], inertia[13],
         inertia[14], inertia[15], inertia[16], inertia[17], inertia[18], inertia[19], inertia[20]
