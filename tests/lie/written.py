@@ -76,7 +76,9 @@ def scale(name: str, sizes: list[Any]) -> list[Any]:
     """What a coordinate is measured by, from a size of each block of the first basis."""
     blocks = split(name, range(CHARTED[name].dim))
     each: list[Any] = [size for size, part in zip(sizes, blocks, strict=True) for _ in part]
-    return _mixed(REBASED[name].inv().applyfunc(abs), each) if name in REBASED else each
+    if name not in REBASED:
+        return each
+    return _mixed(REBASED[name].inv().applyfunc(abs), each)
 
 
 def coordinates(name: str, angle: Any, shift: Any, seed: int) -> list[Any]:
