@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import matrix_truth as truth
-from derive.verify.matrix_factor import factors
+from derive.verify.oracle import matrix_truth as truth
+from derive.verify.oracle.matrix_factor import factors
 
 Array = NDArray[Any]
 Numbers = Sequence[Any]

@@ -18,7 +18,7 @@ from derive import __version__
 from derive.folder import save
 
 DERIVING = (
-    *("lie/*.py", "routine/*.py", "control/*.py", "emit/*.py", "verify/*.py"),
+    *("lie/*.py", "routine/*.py", "control/*.py", "emit/*.py", "verify/law/*.py"),
     *("pipeline.py", "theory.py"),
 )
 """The source that decides what is derived, printed and warned of, and what an entry looks like."""

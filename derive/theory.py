@@ -10,7 +10,7 @@ from derive.vehicle.group import group_of
 
 if TYPE_CHECKING:
     from derive.lie.group import Group
-    from derive.verify.law_report import LawReport
+    from derive.verify.law.report import LawReport
 
 
 def laws(vehicle: Vehicle | None, group: str | None, progress: Callable[[str], None]) -> LawReport:
@@ -19,7 +19,7 @@ def laws(vehicle: Vehicle | None, group: str | None, progress: Callable[[str], N
     Raises InputError for a group that nobody knows.
     """
     from derive.lie.catalogue import GROUPS
-    from derive.verify.law_report import report
+    from derive.verify.law.report import report
 
     if vehicle is not None:
         resolve(vehicle)
@@ -65,8 +65,8 @@ def cautions(vehicle: Vehicle, group: Group) -> list[str]:
 def _judged(group: Group, law: str) -> list[str]:
     """Of a group that no table knows: its laws are judged now."""
     from derive.control.matrix_law import keeps_odd_powers
-    from derive.verify.consequence import cautions as of_verdict
-    from derive.verify.law_report import report
+    from derive.verify.law.consequence import cautions as of_verdict
+    from derive.verify.law.report import report
 
     verdicts = report([group]).verdicts
     found = of_verdict(next(one for one in verdicts if one.law == law), verdicts)

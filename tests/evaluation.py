@@ -12,8 +12,8 @@ from derive.emit import printer
 from derive.emit.printed import routine
 from derive.lie.kernel import NAMES, coefficients, exact
 from derive.routine.derivation import Derivation
-from derive.verify.precise import exactly as precisely
-from derive.verify.precise import mp
+from derive.verify.oracle.precise import exactly as precisely
+from derive.verify.oracle.precise import mp
 
 ABSENT = mp.mpf(10) ** -300
 """What TINY is here: far below what 60 digits see beside anything but zero."""

@@ -90,7 +90,7 @@ def listed() -> AbstractContextManager[Any]:
     return patch.dict(GROUPS, MADE)
 
 
-_NAMES = ("R1", "R6", "SO3 x R3", "SE3 x SO3", "S3 x SE2", "Random0 x R2", "SO2 x Random1")
+_NAMES = ("R1", "R6", "SO3 x R3", "SE3 x SO3", "S3 x SE2", "Random0 x R2", "SO2 x Random2")
 with listed():
     ALL: dict[str, Group] = {**GROUPS, **OWN, **{name: named(name) for name in _NAMES}}
 """Every group that the tests run over."""

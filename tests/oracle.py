@@ -9,9 +9,9 @@ from functools import cache
 from typing import Any
 
 from derive.lie.group import Group
-from derive.verify import matrix_function as function
-from derive.verify.matrix_function import Matrix, Vector, combine, numbers, product, times
-from derive.verify.precise import exactly, mp
+from derive.verify.oracle import matrix_function as function
+from derive.verify.oracle.matrix_function import Matrix, Vector, combine, numbers, product, times
+from derive.verify.oracle.precise import exactly, mp
 from tests.points import embedded, exact, rows
 
 STEP = mp.mpf(10) ** -42

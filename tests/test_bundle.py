@@ -12,8 +12,8 @@ from derive.control.kinematic import LAWS, laws_of
 from derive.lie.catalogue import named
 from derive.lie.group import Group
 from derive.vehicle import InputError
-from derive.verify import truth
-from derive.verify.space import Space
+from derive.verify.law.space import Space
+from derive.verify.oracle import truth
 from tests.command import ROOT
 from tests.own import HEISENBERG, SL2
 

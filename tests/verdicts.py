@@ -3,8 +3,8 @@
 from functools import cache
 
 from derive.lie.catalogue import GROUPS
-from derive.verify.law_report import LawReport, report
-from derive.verify.verdict import Verdict
+from derive.verify.law.report import LawReport, report
+from derive.verify.law.verdict import Verdict
 
 
 @cache

@@ -1,7 +1,7 @@
 """What a user of a law is warned of when a vehicle is emitted, by group of the catalogue.
 
 Frozen here, so that nothing has to be judged at emission: a test holds every sentence to what
-derive.verify.definition computes. A sentence follows `law … on …`.
+derive.verify.law.definition computes. A sentence follows `law … on …`.
 """
 
 from __future__ import annotations

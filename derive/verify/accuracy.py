@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import matrix_function, matrix_group, truth
 from derive.verify.backend import Backend
 from derive.verify.batch import (
     Batch,
@@ -23,6 +22,7 @@ from derive.verify.batch import (
 from derive.verify.branch import Turn
 from derive.verify.check import Check
 from derive.verify.limits import EPS
+from derive.verify.oracle import matrix_function, matrix_group, truth
 from derive.verify.subject import Subject, by_scalar, worst
 
 Array = NDArray[Any]

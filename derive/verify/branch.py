@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from derive.verify import truth
-from derive.verify.factor_law import lifted, turning
 from derive.verify.limits import LIMITS
-from derive.verify.matrix_function import combine, identity, solve
-from derive.verify.matrix_group import coordinates, element, factors
+from derive.verify.oracle import truth
+from derive.verify.oracle.factor_law import lifted, turning
+from derive.verify.oracle.matrix_function import combine, identity, solve
+from derive.verify.oracle.matrix_group import coordinates, element, factors
 from derive.verify.plant import Plant
 
 mp = truth.mp

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import casadi_group, casadi_twin
 from derive.verify.natural import Natural, blocks_of, lengths
+from derive.verify.oracle import casadi_group, casadi_twin
 from derive.verify.plant import Plant
 from derive.verify.sample import States
 from derive.verify.shape import space

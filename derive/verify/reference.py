@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import matrix_truth, truth
 from derive.verify.branch import Turn, at_cut, clearance, rotations, turns
 from derive.verify.limits import EPS
 from derive.verify.natural import Natural, blocks_of
+from derive.verify.oracle import matrix_truth, truth
 from derive.verify.plant import Plant
 from derive.verify.sample import States
 from derive.verify.shape import Block

@@ -23,10 +23,10 @@ from derive.lie.group import Group
 from derive.lie.kernel import SMALL, TINY, exact
 from derive.routine.derivation import Derivation, Quantity
 from derive.routine.rate import rate
-from derive.verify import matrix_group
 from derive.verify.derived import lie_group
+from derive.verify.oracle import matrix_group
+from derive.verify.oracle.precise import mp
 from derive.verify.plant import Plant
-from derive.verify.precise import mp
 
 DIGITS = 50
 BITS = 400  # of a point: so near the group that 50 digits do not see the rest

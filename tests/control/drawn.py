@@ -91,16 +91,12 @@ def turning(group: Group, tangent: Fraction | None) -> Any:
     X = points.hat(one, list(x))
     length = {49: 7, 1: 1}[int(-(X @ X).trace() / np.linalg.matrix_rank(X.astype(float)))]
     X, unit = X / length, points.eye(len(X))
-    g = (
-        unit + 2 * X @ X
-        if tangent is None
-        else points.solve(unit - tangent * X, unit + tangent * X)
-    )
-    rows = [
-        points.stored(f, g) if f is one else [Fraction(a) for a in f.identity]
-        for f in group.factors or (group,)
-    ]
-    return [x for row in rows for x in row]
+    g = unit + 2 * X @ X
+    if tangent is not None:
+        g = points.solve(unit - tangent * X, unit + tangent * X)
+    pieces = ((f, points.stored(f, g) if f is one else map(Fraction, f.identity))
+              for f in group.factors or (group,))  # fmt: skip
+    return [x for _, piece in pieces for x in piece]
 
 
 def beside(group: Group, stored: Sequence[Any], seed: int) -> list[Any]:

@@ -12,8 +12,8 @@ from derive.control.quaternion_law import Quaternion
 from derive.lie.catalogue import GROUPS
 from derive.routine.derivation import Derivation, Quantity
 from derive.routine.rate import rate
-from derive.verify import truth
-from derive.verify.precise import exactly as exactly_stored
+from derive.verify.oracle import truth
+from derive.verify.oracle.precise import exactly as exactly_stored
 from tests.evaluation import exactly
 from tests.points import STORED, Row, unit, vector
 

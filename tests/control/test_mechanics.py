@@ -22,7 +22,7 @@ from derive.control.mechanics import (
 from derive.lie.catalogue import GROUPS
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
-from derive.verify.precise import mp
+from derive.verify.oracle.precise import mp
 from tests.control.drawn import Pattern, definite, diagonal, full, numbers, sparse, square
 from tests.evaluation import exactly
 from tests.groups import ALL, each_group

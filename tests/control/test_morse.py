@@ -8,9 +8,9 @@ import pytest
 from derive.bundle import Height
 from derive.control.morse import heights_of
 from derive.lie.catalogue import GROUPS, named
-from derive.verify import slope
-from derive.verify.cloud import cloud
-from derive.verify.space import Space
+from derive.verify.law import slope
+from derive.verify.law.cloud import cloud
+from derive.verify.law.space import Space
 from tests.own import HEISENBERG, SL2
 
 EVERY = [*GROUPS.values(), named("SO3 x R3"), named("S3 x SE2"), SL2, HEISENBERG]

@@ -15,7 +15,7 @@ from derive.control.controller import WRITERS, routines
 from derive.control.sliding import reaching, tracking
 from derive.control.table import CONTROLLERS
 from derive.routine.derivation import Derivation
-from derive.verify.precise import mp
+from derive.verify.oracle.precise import mp
 from tests import points
 from tests.control.drawn import LAWS, Pattern, each_law, full, numbers, sparse
 from tests.evaluation import exactly, in_double

@@ -10,7 +10,7 @@ from derive.control import tangent
 from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS, named
 from derive.lie.group import Group
-from derive.verify import exact
+from derive.verify.law import exact
 
 each_law = pytest.mark.parametrize(("name", "law"), LAWS, ids=map("-".join, LAWS))
 GAIN = Rational(3, 7)

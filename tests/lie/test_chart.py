@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.verify import matrix_function as function
-from derive.verify import matrix_truth
-from derive.verify.precise import mp
+from derive.verify.oracle import matrix_function as function
+from derive.verify.oracle import matrix_truth
+from derive.verify.oracle.precise import mp
 from tests.evaluation import exactly
 from tests.groups import REBASED
 from tests.lie import written

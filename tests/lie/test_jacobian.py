@@ -8,8 +8,8 @@ import pytest
 
 from derive.lie.group import Group
 from derive.lie.jacobian import spectrum
-from derive.verify import matrix_function as function
-from derive.verify.precise import mp
+from derive.verify.oracle import matrix_function as function
+from derive.verify.oracle.precise import mp
 from tests import points
 from tests.evaluation import exactly
 from tests.groups import ALL

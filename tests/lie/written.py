@@ -8,8 +8,8 @@ import numpy as np
 from derive.lie.group import Group
 from derive.lie.jacobian import log_rate
 from derive.routine.derivation import Derivation, Quantity
-from derive.verify import matrix_function as function
-from derive.verify.precise import exactly, mp
+from derive.verify.oracle import matrix_function as function
+from derive.verify.oracle.precise import exactly, mp
 from tests import points
 from tests.evaluation import in_double
 from tests.groups import ALL, REBASED, TURNED
@@ -76,7 +76,9 @@ def scale(name: str, sizes: list[Any]) -> list[Any]:
     """What a coordinate is measured by, from a size of each block of the first basis."""
     blocks = split(name, range(CHARTED[name].dim))
     each: list[Any] = [size for size, part in zip(sizes, blocks, strict=True) for _ in part]
-    return _mixed(REBASED[name].inv().applyfunc(abs), each) if name in REBASED else each
+    if name not in REBASED:
+        return each
+    return _mixed(REBASED[name].inv().applyfunc(abs), each)
 
 
 def coordinates(name: str, angle: Any, shift: Any, seed: int) -> list[Any]:

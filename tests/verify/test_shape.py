@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm
+from tests.verify.oracle.test_factor_law import HEISENBERG, SL2
 
-from derive.verify import matrix_group, shape
-from tests.verify.coordinates import NAMES, blocks
-from tests.verify.test_factor_law import HEISENBERG, SL2
+from derive.verify import shape
+from derive.verify.oracle import matrix_group
+from tests.verify.oracle.coordinates import NAMES, blocks
 
 ALL = [*NAMES, SL2, HEISENBERG]
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from derive.verify.verdict import Equilibria, Fall, Jump, Verdict
+from derive.verify.law.verdict import Equilibria, Fall, Jump, Verdict
 
 UNWINDS = "turns q and -q, one attitude, different ways round"
 

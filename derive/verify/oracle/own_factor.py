@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
-from derive.verify.matrix_function import (
+from derive.verify.oracle.matrix_function import (
     Matrix,
     Number,
     Vector,
@@ -16,7 +16,7 @@ from derive.verify.matrix_function import (
     times,
     transpose,
 )
-from derive.verify.precise import mp
+from derive.verify.oracle.precise import mp
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """The factor y of property (iv), V' = -y V under nu = -nu_u, as stated: formula and function.
 
 phi is the rotation angle; on S3, where it goes up to 2 pi, theta = phi/2 = arccos q0. These are
-claims: derive.verify.definition holds them to what it measures.
+claims: derive.verify.law.definition holds them to what it measures.
 """
 
 from __future__ import annotations

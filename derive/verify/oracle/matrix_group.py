@@ -10,10 +10,10 @@ from functools import cache
 from itertools import accumulate, pairwise
 from typing import Any
 
-from derive.verify import matrix_function as function
-from derive.verify.matrix_factor import Factor
-from derive.verify.matrix_factor import factors as named
-from derive.verify.matrix_function import (
+from derive.verify.oracle import matrix_function as function
+from derive.verify.oracle.matrix_factor import Factor
+from derive.verify.oracle.matrix_factor import factors as named
+from derive.verify.oracle.matrix_function import (
     Matrix,
     Number,
     Vector,
@@ -22,8 +22,8 @@ from derive.verify.matrix_function import (
     numbers,
     product,
 )
-from derive.verify.own_factor import Own
-from derive.verify.precise import exactly, mp
+from derive.verify.oracle.own_factor import Own
+from derive.verify.oracle.precise import exactly, mp
 
 Element = tuple[Matrix, ...]
 Law = Callable[[Factor | Own, Matrix], Vector]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive.lie.group import Group
-from derive.verify.space import Space
+from derive.verify.law.space import Space
 
 Array = NDArray[Any]
 Values = Callable[[Array], Array]  # of elements (..., m, m), (...)

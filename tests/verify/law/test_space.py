@@ -12,11 +12,11 @@ from derive.control import tangent
 from derive.control.kinematic import LAWS
 from derive.lie.catalogue import GROUPS, named
 from derive.lie.group import Group
-from derive.verify import cut, exact, rest, slope
-from derive.verify.cloud import cloud
-from derive.verify.place import named as place_of
-from derive.verify.place import numbers, where
-from derive.verify.space import Space
+from derive.verify.law import cut, exact, rest, slope
+from derive.verify.law.cloud import cloud
+from derive.verify.law.place import named as place_of
+from derive.verify.law.place import numbers, where
+from derive.verify.law.space import Space
 from tests.own import HEISENBERG, SL2, SPIRAL
 
 EVERY = [*GROUPS.values(), named("S3 x SE2"), SL2, HEISENBERG]

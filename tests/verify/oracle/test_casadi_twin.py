@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from derive.verify import casadi_twin, truth
+from derive.verify.oracle import casadi_twin, truth
 
 INERTIA = ((3.6046, -0.0706, 0.1491), (-0.0706, 8.6868, 0.0449), (0.1491, 0.0449, 9.3484))
 ROWS = 12

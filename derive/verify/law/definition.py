@@ -20,12 +20,12 @@ from derive.control import morse, tangent
 from derive.control.law import KinematicLaw
 from derive.emit.function import compiled
 from derive.lie.group import Group
-from derive.verify import cut, exact, rest, slope
-from derive.verify.cloud import cloud, span
-from derive.verify.factor import claimed
-from derive.verify.place import named, numbers, where
-from derive.verify.space import Space
-from derive.verify.verdict import Equilibria, Fall, Jump, Oddness, Verdict
+from derive.verify.law import cut, exact, rest, slope
+from derive.verify.law.cloud import cloud, span
+from derive.verify.law.factor import claimed
+from derive.verify.law.place import named, numbers, where
+from derive.verify.law.space import Space
+from derive.verify.law.verdict import Equilibria, Fall, Jump, Oddness, Verdict
 
 Array = NDArray[Any]
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from derive.verify import factor_law, matrix_function, matrix_group
-from tests.verify.coordinates import NAMES, TINY, at_angle, draw, mp, off, worst
+from derive.verify.oracle import factor_law, matrix_function, matrix_group
+from tests.verify.oracle.coordinates import NAMES, TINY, at_angle, draw, mp, off, worst
 
 LAWS = sorted(matrix_group.LAWS)
 SL2 = (((0, 1), (0, 0)), ((0, 0), (1, 0)), ((1, 0), (0, -1)))

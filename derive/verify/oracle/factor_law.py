@@ -8,13 +8,13 @@ differences along the flow.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from derive.verify import matrix_function as function
-from derive.verify import truth
-from derive.verify.matrix_factor import Factor
-from derive.verify.matrix_function import Matrix, Number, Vector, combine, identity, product
-from derive.verify.matrix_group import LAWS, STEP, moved
-from derive.verify.own_factor import Own
-from derive.verify.precise import Quaternion, mp, negative, quaternion
+from derive.verify.oracle import matrix_function as function
+from derive.verify.oracle import truth
+from derive.verify.oracle.matrix_factor import Factor
+from derive.verify.oracle.matrix_function import Matrix, Number, Vector, combine, identity, product
+from derive.verify.oracle.matrix_group import LAWS, STEP, moved
+from derive.verify.oracle.own_factor import Own
+from derive.verify.oracle.precise import Quaternion, mp, negative, quaternion
 
 GROUPING = 9  # 81 terms of either half of the series: the last is below 1e-130
 _EVEN, _ODD = ([1 / mp.factorial(2 * k + n) for k in range(GROUPING**2)] for n in (1, 2))

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify.space import Space
+from derive.verify.law.space import Space
 
 Array = NDArray[Any]
 Law = Callable[[Array], Array]  # elements (..., m, m) to nu_u (..., n)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from derive.verify import matrix_truth, truth
-from tests.verify.coordinates import (
+from derive.verify.oracle import matrix_truth, truth
+from tests.verify.oracle.coordinates import (
     TINY,
     at_angle,
     blocks,

@@ -12,9 +12,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from derive.verify import casadi_twin, matrix_group
-from derive.verify.casadi_twin import OUTPUTS
-from derive.verify.matrix_factor import Factor
+from derive.verify.oracle import casadi_twin, matrix_group
+from derive.verify.oracle.casadi_twin import OUTPUTS
+from derive.verify.oracle.matrix_factor import Factor
 
 MINORS = 5  # rows
 

@@ -7,10 +7,10 @@ inertia; rates are central differences along the flow.
 from collections.abc import Collection, Sequence
 from typing import Any
 
-from derive.verify import factor_law
-from derive.verify.factor_law import Lifted, lifted
-from derive.verify.matrix_function import Matrix, Vector, inverse, numbers, times, transpose
-from derive.verify.matrix_group import (
+from derive.verify.oracle import factor_law
+from derive.verify.oracle.factor_law import Lifted, lifted
+from derive.verify.oracle.matrix_function import Matrix, Vector, inverse, numbers, times, transpose
+from derive.verify.oracle.matrix_group import (
     LAWS,
     Ad,
     Element,
@@ -33,7 +33,7 @@ from derive.verify.matrix_group import (
     store,
     whole,
 )
-from derive.verify.precise import exactly, mp
+from derive.verify.oracle.precise import exactly, mp
 
 __all__ = [
     "LAWS", "Ad", "ad", "angle", "basis", "bracket", "element", "error", "exp", "factors", "law",

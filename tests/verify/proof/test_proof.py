@@ -24,7 +24,7 @@ from derive.verify.proof.run import STATEMENTS, Subject, concrete, generic, prov
 from derive.verify.proof.statement import Statement, vanish
 from tests.command import refused
 
-DOCS = Path(__file__).parents[2] / "docs" / "paper.md"
+DOCS = Path(__file__).parents[3] / "docs" / "paper.md"
 INERTIA = np.array([[3.6046, -0.0706, 0.1491], [-0.0706, 8.6868, 0.0449], [0.1491, 0.0449, 9.3484]])
 BODY = tuple(tuple(Fraction(str(entry)) for entry in row) for row in INERTIA)
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify.exact import Point
-from derive.verify.space import Space
+from derive.verify.law.exact import Point
+from derive.verify.law.space import Space
 
 Array = NDArray[Any]
 

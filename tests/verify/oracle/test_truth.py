@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.verify import truth
+from derive.verify.oracle import truth
 
 mp = truth.mp
 INERTIA = tuple(

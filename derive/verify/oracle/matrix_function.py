@@ -10,7 +10,7 @@ from typing import Any
 
 from mpmath.libmp import from_man_exp
 
-from derive.verify.precise import exactly, mp
+from derive.verify.oracle.precise import exactly, mp
 
 Number = Any  # an mpf: mpmath has no stubs
 Vector = tuple[Number, ...]  # (n,)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.verify import matrix_truth
+from derive.verify.oracle import matrix_truth
 
 mp = matrix_truth.mp
 TURNING = ("SO2", "SO3", "S3", "SE2", "SE3", "SE23")

@@ -10,9 +10,9 @@ from typing import Any
 
 from derive.control.kinematic import laws_of
 from derive.lie.group import Group
-from derive.verify.consequence import cautions, consequences, length, span
-from derive.verify.definition import judge
-from derive.verify.verdict import Fall, Jump, Verdict
+from derive.verify.law.consequence import cautions, consequences, length, span
+from derive.verify.law.definition import judge
+from derive.verify.law.verdict import Fall, Jump, Verdict
 
 HEAD = ("group", "law", "(i)", "(ii)", "jump", "V", "(iii)", "(iv) y", "from", "to", "equilibria")
 LARGE, SMALL = 1e6, 1e-6  # of y: beyond, it has no bound, or comes down to zero

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import chain
 
-from derive.verify.matrix_function import (
+from derive.verify.oracle.matrix_function import (
     Matrix,
     Number,
     Vector,
@@ -20,7 +20,7 @@ from derive.verify.matrix_function import (
     product,
     transpose,
 )
-from derive.verify.precise import mp
+from derive.verify.oracle.precise import mp
 
 Entries = dict[tuple[int, int], Number]
 

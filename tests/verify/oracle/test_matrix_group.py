@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm, logm
 from scipy.spatial.transform import Rotation
 
-from derive.verify import matrix_truth
-from tests.verify.coordinates import (
+from derive.verify.oracle import matrix_truth
+from tests.verify.oracle.coordinates import (
     NAMES,
     TINY,
     TURNING,

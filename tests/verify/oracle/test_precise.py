@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.verify import truth
-from derive.verify.precise import exactly
+from derive.verify.oracle import truth
+from derive.verify.oracle.precise import exactly
 
 mp = truth.mp
 IDENTITY = truth.IDENTITY

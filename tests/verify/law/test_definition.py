@@ -15,10 +15,10 @@ from derive.control.law import KinematicLaw, Written
 from derive.control.quaternion_law import Quaternion
 from derive.lie.catalogue import GROUPS, named
 from derive.lie.kernel import K
-from derive.verify import consequence, factor
-from derive.verify.definition import judge
-from derive.verify.law_report import report
-from derive.verify.verdict import Verdict
+from derive.verify.law import consequence, factor
+from derive.verify.law.definition import judge
+from derive.verify.law.report import report
+from derive.verify.law.verdict import Verdict
 from tests.own import HEISENBERG, SL2
 from tests.verdicts import catalogue, verdict
 

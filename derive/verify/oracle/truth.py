@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from derive.verify.precise import (
+from derive.verify.oracle.precise import (
     Matrix,
     Number,
     Quaternion,
