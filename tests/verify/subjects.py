@@ -5,14 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
-from tests.verify.oracle.test_factor_law import HEISENBERG, SL2
-
 from derive.control.kinematic import LAWS, laws_of
 from derive.control.table import CONTROLLERS
 from derive.lie.catalogue import named
 from derive.vehicle import Vehicle, load
 from derive.vehicle.group import OwnGroup, made
 from derive.verify.plant import Plant
+from tests.verify.oracle.test_factor_law import HEISENBERG, SL2
 
 ROOT = Path(__file__).parents[2]
 FILES = sorted((ROOT / "vehicles").glob("*.toml"))

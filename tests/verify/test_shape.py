@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm
-from tests.verify.oracle.test_factor_law import HEISENBERG, SL2
 
 from derive.verify import shape
 from derive.verify.oracle import matrix_group
 from tests.verify.oracle.coordinates import NAMES, blocks
+from tests.verify.oracle.test_factor_law import HEISENBERG, SL2
 
 ALL = [*NAMES, SL2, HEISENBERG]
 
