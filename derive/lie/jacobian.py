@@ -50,7 +50,7 @@ def spectrum(group: Group) -> Spectrum:
         turns = next((c for c in (1, 2) if not any(A**2 * (A**2 + square * one) ** c)), 0)
     rest = (A**2 + square * one) ** turns
     zeros = next((a for a in range(1, group.dim + 1) if not any(A**a * rest)), 0)
-    if not zeros or (square and not turns):
+    if not zeros or (square and not (turns and zeros <= 2)):
         raise ValueError(f"{group.name}: ad has a minimal polynomial of another kind")
     once = A * (A**2 + square * one)
     still = tuple(i for i in range(group.dim) if not any(once[i, :]))
