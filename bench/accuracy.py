@@ -17,16 +17,18 @@ from bench.figure import Figure
 from derive.native.compile import build
 from derive.native.load import Library, load_module
 from derive.terminal import progress
-from derive.verify.limits import EPS, Limit
+from derive.verify.limits import EPS, LIMITS, Limit
 
 GROUPS = ("SO2", "SO3", "S3", "SE2", "SE3", "SE23", "R3", "SO3 x R3")
 EACH = {"f64": 3, "f32": 2}
 """States for every angle and translation."""
 
 ANY = Limit("any group", 1e-13 / EPS["f64"], "eps", "1e-13 in double, as many eps in float")
+CARRIED = ("SE2", "SE3", "SE23")
 BOUNDS = {
-    ("SE3", "log"): Limit("log of SE3", 4, "eps", "against truth"),
-    ("SE3", "rate, natural scale"): Limit("rate of SE3", 4, "eps", "against truth"),
+    (group, what): LIMITS[limit]
+    for group in CARRIED
+    for what, limit in (("log", "log_carried"), ("rate, natural scale", "rate_carried"))
 }
 """What is promised beyond ANY, by group and by what is judged."""
 
@@ -103,8 +105,8 @@ def judge(name: str, scalar: str, states: States, runs: list[Run]) -> list[Figur
 def _figure(name: str, scalar: str, what: str, block: str, error: float) -> Figure:
     bound = BOUNDS.get((name, what), ANY)
     # A rotation's rate has one scale: its own.
-    if (name, what, block) == ("SE3", "rate", "rotation"):
-        bound = BOUNDS["SE3", "rate, natural scale"]
+    if name in CARRIED and (what, block) == ("rate", "rotation"):
+        bound = LIMITS["rate_carried"]
     label = f"{name} {scalar} {what}, {block}"
     return Figure(label, error / EPS[scalar], "eps", bound=bound, aside=f"{error:.1e} relative")
 
