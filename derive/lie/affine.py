@@ -10,7 +10,7 @@ from sympy import ImmutableMatrix, Matrix, eye, zeros
 
 from derive.lie.chart import Charted, carried
 from derive.lie.cover import Let
-from derive.lie.group import Group, Pull
+from derive.lie.group import Group, Pull, times_second
 
 
 def semidirect(base: Group, name: str, units: Sequence[str], turned: Charted | None) -> Group:
@@ -52,7 +52,7 @@ class _Affine:
     @property
     def lengths(self) -> list[str]:
         """Units of the columns."""
-        return [unit.removesuffix("/s") for unit in self.units]
+        return [times_second(unit) for unit in self.units]
 
     @property
     def basis(self) -> tuple[ImmutableMatrix, ...]:

@@ -6,6 +6,7 @@ Velocities are body velocities (left invariance): g' = g hat(nu).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -84,7 +85,7 @@ class Group:
     @property
     def log_unit(self) -> str:
         """Units of a logarithm."""
-        return _listed(_times_second(unit) for unit in self.units)
+        return _listed(times_second(unit) for unit in self.units)
 
     @property
     def force_unit(self) -> str:
@@ -195,8 +196,20 @@ def _listed(units: Iterable[str]) -> str:
 
 
 def _per_second(unit: str) -> str:
-    return f"{unit}^2" if unit.endswith("/s") else f"{unit}/s"
+    """m/s to m/s^2, m/s^2 to m/s^3, m to m/s."""
+    stem, power = _seconds(unit)
+    return f"{stem}/s" if not power else f"{stem}/s^{power + 1}"
 
 
-def _times_second(unit: str) -> str:
-    return unit.removesuffix("/s") if unit.endswith("/s") else f"({unit}) s"
+def times_second(unit: str) -> str:
+    """m/s to m, m/s^2 to m/s; what is no rate gets a factor."""
+    stem, power = _seconds(unit)
+    if power > 2:
+        return f"{stem}/s^{power - 1}"
+    return (f"({stem}) s", stem, f"{stem}/s")[power]
+
+
+def _seconds(unit: str) -> tuple[str, int]:
+    """What stands before /s^power, and the power; 0 where the unit is no rate."""
+    found = re.fullmatch(r"(.+)/s(?:\^(\d+))?", unit)
+    return (found[1], int(found[2] or 1)) if found else (unit, 0)

@@ -25,6 +25,7 @@ def look_up(file: str, group: str, own: OwnGroup | None = None) -> Facts:
     """The facts of a group; raises InputError for an unknown factor, or a name that is taken."""
     if own is not None:
         _check_free(file, own.name)
+        _check_inverse(file, own)
         return Facts(dim=len(own.basis), is_rotation=False)
     factors = group.split(" x ")
     for factor in factors:
@@ -33,6 +34,16 @@ def look_up(file: str, group: str, own: OwnGroup | None = None) -> Facts:
     _check_size(file, group, factors)
     found = made(group, None)
     return Facts(dim=found.dim, is_rotation=found.is_rotation)
+
+
+def _check_inverse(file: str, own: OwnGroup) -> None:
+    """Raise InputError for a group whose elements have no inverse of bearable size."""
+    try:
+        made(own.name, own)
+    except ValueError as fault:
+        expected = "matrices of at most 4 rows, or a regular bilinear form that the group keeps"
+        remedy = "write it with smaller matrices, or as a product of groups that are known"
+        raise InputError(file, "group.basis", expected, str(fault), remedy) from None
 
 
 def laws_on(group: str, own: OwnGroup | None = None) -> tuple[str, ...]:

@@ -118,3 +118,11 @@ def test_every_factor_of_a_long_product_counts() -> None:
     assert len(many.pull(d.let, g)("eta", x)) == 9
     with pytest.raises(ValueError, match="27 factors: at most 26"):
         named(" x ".join(["SO2"] * 27))
+
+
+def test_units_of_rates_and_integrals_are_spelled_once() -> None:
+    """On SE23 a column of velocity grows with m/s^2, and its rate with m/s^3."""
+    group = GROUPS["SE23"]
+    assert group.unit == "rad/s, m/s^2, m/s"
+    assert group.acceleration_unit == "rad/s^2, m/s^3, m/s^2"
+    assert group.log_unit == "rad, m/s, m"

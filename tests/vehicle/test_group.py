@@ -180,3 +180,17 @@ def test_a_group_of_ones_own_has_no_body(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         load(path)
     assert (caught.value.key, caught.value.found) == ("body", "a body on SL2")
+
+
+def test_a_large_group_without_a_form_is_refused(tmp_path: Path) -> None:
+    row = [int(i == 0) for i in range(5)]
+    scaled = [[(i + 1) * int(i == j) for j in range(5)] for i in range(5)]
+    path = tmp_path / "body.toml"
+    path.write_text(
+        f'name = "body"\ninertia = [{row[:1]}]\n[gains]\nlambda = 0.5\nk_s = 1\n'
+        f'[group]\nname = "big"\nlaw = "skew"\nbasis = [{scaled}]\n',
+        encoding="utf-8",
+    )
+    with pytest.raises(InputError, match="at most 4 rows") as caught:
+        resolve(load(path))
+    assert caught.value.key == "group.basis"
