@@ -102,7 +102,7 @@ def carried(base: Group, turned: Charted, columns: Sequence[str]) -> Charted:
             w=inner.w,
             square=inner.square,
             tangent=_carried_tangent(base, inner.tangent, moves) if inner.tangent else None,
-            short_tail=_carried_tail(base, scaled),
+            short_tail=_carried_tail(base, scaled, columns),
         )
 
     return chart
@@ -121,7 +121,7 @@ def _shift(let: Let, base: Group, inner: Chart, p: Matrix, mark: str, unit: str)
     return p - k * swing + h * sway
 
 
-def _carried_tail(base: Group, scaled: Sequence[Matrix]) -> Tail | None:
+def _carried_tail(base: Group, scaled: Sequence[Matrix], units: Sequence[str]) -> Tail | None:
     """In space (Y^4 + s^2 Y^2) nu = (0, -2 (v.q) Y^2 omega …) with y = (v, q …)."""
     v, *moves = scaled
     if base.ad(v) != base.hat(v):
@@ -130,8 +130,8 @@ def _carried_tail(base: Group, scaled: Sequence[Matrix]) -> Tail | None:
     def tail(let: Let, bend: Matrix) -> Matrix:
         turned = bend[: base.dim, :]
         rows = [0 * turned]
-        for q, mark in zip(moves, _marks(len(moves)), strict=True):
-            along = let(f"along_{mark}", -2 * v.dot(q), "1", "-2 v.q")
+        for q, mark, unit in zip(moves, _marks(len(moves)), units, strict=True):
+            along = let(f"along_{mark}", -2 * v.dot(q), unit, "-2 v.q")
             rows.append(along * turned)
         return Matrix.vstack(*rows)
 

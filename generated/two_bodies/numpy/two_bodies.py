@@ -599,7 +599,7 @@ def _law(
     bend_a_5 = turn_a_1*y_p_a_0 + turn_a_4*v_a_0 - turn_a_0*y_p_a_1 - turn_a_3*v_a_1
     # m_a: -dh/dw [1]
     m_a = _m(w_a)
-    # along_p_a: -2 v.q [1]
+    # along_p_a: -2 v.q [m]
     along_p_a = -2.0*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 + v_a_2*y_p_a_2)
     # tail_a: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s]
     tail_a_3 = along_p_a*bend_a_0
@@ -881,7 +881,7 @@ def _reaching(
     bend_a_5 = turn_a_1*y_p_a_0 + turn_a_4*v_a_0 - turn_a_0*y_p_a_1 - turn_a_3*v_a_1
     # m_a: -dh/dw [1]
     m_a = _m(w_a)
-    # along_p_a: -2 v.q [1]
+    # along_p_a: -2 v.q [m]
     along_p_a = -2.0*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 + v_a_2*y_p_a_2)
     # tail_a: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s]
     tail_a_3 = along_p_a*bend_a_0

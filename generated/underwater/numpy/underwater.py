@@ -504,7 +504,7 @@ def _law(
     bend_5 = turn_1*y_p_0 + turn_4*v_0 - turn_0*y_p_1 - turn_3*v_1
     # m: -dh/dw [1]
     m = _m(w)
-    # along_p: -2 v.q [1]
+    # along_p: -2 v.q [m]
     along_p = -2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)
     # tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s]
     tail_3 = along_p*bend_0
@@ -721,7 +721,7 @@ def _reaching(
     bend_5 = turn_1*y_p_0 + turn_4*v_0 - turn_0*y_p_1 - turn_3*v_1
     # m: -dh/dw [1]
     m = _m(w)
-    # along_p: -2 v.q [1]
+    # along_p: -2 v.q [m]
     along_p = -2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)
     # tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s]
     tail_3 = along_p*bend_0

@@ -282,7 +282,7 @@ static void freeflyer_f32_law(const freeflyer_f32_params *params, const freeflye
     /* m: -dh/dw [1] */
     const float m = freeflyer_f32_m(w);
 
-    /* along_p: -2 v.q [1] */
+    /* along_p: -2 v.q [m] */
     const float along_p = -2.0F*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2);
 
     /* tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */
@@ -683,7 +683,7 @@ void freeflyer_f32_reaching(const freeflyer_f32_params *params, const freeflyer_
     /* m: -dh/dw [1] */
     const float m = freeflyer_f32_m(w);
 
-    /* along_p: -2 v.q [1] */
+    /* along_p: -2 v.q [m] */
     const float along_p = -2.0F*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2);
 
     /* tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */

@@ -318,7 +318,7 @@ static void freeflyer_f64_law(const freeflyer_f64_params *params, const freeflye
     /* m: -dh/dw [1] */
     const double m = freeflyer_f64_m(w);
 
-    /* along_p: -2 v.q [1] */
+    /* along_p: -2 v.q [m] */
     const double along_p = -2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2);
 
     /* tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */
@@ -719,7 +719,7 @@ void freeflyer_f64_reaching(const freeflyer_f64_params *params, const freeflyer_
     /* m: -dh/dw [1] */
     const double m = freeflyer_f64_m(w);
 
-    /* along_p: -2 v.q [1] */
+    /* along_p: -2 v.q [m] */
     const double along_p = -2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2);
 
     /* tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */

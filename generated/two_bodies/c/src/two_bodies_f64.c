@@ -439,7 +439,7 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     /* m_a: -dh/dw [1] */
     const double m_a = two_bodies_f64_m(w_a);
 
-    /* along_p_a: -2 v.q [1] */
+    /* along_p_a: -2 v.q [m] */
     const double along_p_a = -2.0*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 + v_a_2*y_p_a_2);
 
     /* tail_a: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */
@@ -937,7 +937,7 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     /* m_a: -dh/dw [1] */
     const double m_a = two_bodies_f64_m(w_a);
 
-    /* along_p_a: -2 v.q [1] */
+    /* along_p_a: -2 v.q [m] */
     const double along_p_a = -2.0*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 + v_a_2*y_p_a_2);
 
     /* tail_a: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */

@@ -289,7 +289,7 @@ static void underwater_f32_law(const underwater_f32_params *params,
     /* m: -dh/dw [1] */
     const float m = underwater_f32_m(w);
 
-    /* along_p: -2 v.q [1] */
+    /* along_p: -2 v.q [m] */
     const float along_p = -2.0F*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2);
 
     /* tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */
@@ -713,7 +713,7 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
     /* m: -dh/dw [1] */
     const float m = underwater_f32_m(w);
 
-    /* along_p: -2 v.q [1] */
+    /* along_p: -2 v.q [m] */
     const float along_p = -2.0F*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2);
 
     /* tail: (Y^2 + s^2) Y^2 nu_e [rad/s, m/s] */
