@@ -68,7 +68,10 @@ def _judged(group: Group, law: str) -> list[str]:
     from derive.verify.law.consequence import cautions as of_verdict
     from derive.verify.law.report import report
 
-    verdicts = report([group]).verdicts
+    try:
+        verdicts = report([group]).verdicts
+    except (ArithmeticError, LookupError, ValueError) as fault:  # the sampling, not the code
+        return [f"could not be judged ({fault})"]
     found = of_verdict(next(one for one in verdicts if one.law == law), verdicts)
     if not found and law == "skew" and not keeps_odd_powers(group):
         found.append("is g - g^-1 only as far as the algebra reaches, which odd powers leave: that "

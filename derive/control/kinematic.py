@@ -34,7 +34,7 @@ def laws_of(group: Group) -> dict[str, KinematicLaw]:
 def why_not(group: Group, name: str) -> str:
     """Why a law that could exist on any group does not exist on this one; empty for the others."""
     reasons = {
-        "log": f"the logarithm of {group.name} has no closed form without trigonometry",
+        "log": f"no closed form of the logarithm of {group.name} is found from its basis",
         "cayley": f"(g - 1)(g + 1)^-1 leaves the algebra of {group.name}",
     }
     return reasons.get(name, "")

@@ -2,7 +2,9 @@
 
 g - 1 lies in the span of all products of the E_i, which fixes entries that are the same for
 every element; a bilinear form B with E^T B + B E = 0 for all E is kept, g^T B g = B, and gives
-the inverse B^-1 g^T B; where all traces vanish, det g = 1. These are also what the guard checks.
+the inverse B^-1 g^T B; where all traces vanish, det g = 1. Where the last row is fixed, that of
+g = [[M, p], [0, 1]] is [[M^-1, -M^-1 p], [0, 1]]. These are also what the guard checks, and forms
+on the dual space, g B g^T = B, where no regular form is kept.
 """
 
 from __future__ import annotations
@@ -37,6 +39,7 @@ def of_matrices(name: str, made: Sequence[Matrix], units: tuple[str, ...]) -> Gr
     embed = _pattern(envelope, m)
     is_unipotent = not any(_generic(envelope) ** m)
     forms = [] if is_unipotent else _forms(made)
+    duals = [] if is_unipotent or _regular(forms) else _forms([e.T for e in made])
     has_unit_det = not is_unipotent and all(e.trace() == 0 for e in made)
     group = Group(
         name=name,
@@ -45,8 +48,8 @@ def of_matrices(name: str, made: Sequence[Matrix], units: tuple[str, ...]) -> Gr
         identity=tuple(eye(m)),
         embed=embed,
         store=lambda g: Matrix(list(g)),
-        inverse=_inverse(name, m, is_unipotent, forms, has_unit_det),
-        residual=_residual(envelope, embed, forms, has_unit_det),
+        inverse=_inverse(name, made),
+        residual=_residual(envelope, embed, forms, duals, has_unit_det),
         storage=f"matrix of {m} rows, row by row",
         shape=(m, m),
     )
@@ -101,21 +104,39 @@ def _forms(made: Sequence[Matrix]) -> list[Matrix]:
     return [Matrix(m, m, list(one)) for one in kept]
 
 
-def _inverse(
-    name: str, m: int, is_unipotent: bool, forms: Sequence[Matrix], has_unit_det: bool
-) -> Callable[[Matrix], Matrix]:
-    """The shortest inverse that holds on the whole group."""
-    if is_unipotent:
+def _regular(forms: Sequence[Matrix]) -> Matrix | None:
+    """One of the forms, or a sum of them, that has an inverse."""
+    sums = [_generic(forms)] if forms else []
+    return next((b for b in (*forms, *sums) if b.det() != 0), None)
+
+
+def _inverse(name: str, made: Sequence[Matrix]) -> Callable[[Matrix], Matrix]:
+    """The shortest inverse that holds on the whole group of that basis, or of its span."""
+    m = made[0].rows
+    if not any(_generic(_envelope(made)) ** m):
         return _finite_inverse
-    whole = next((b for b in (*forms, sum(forms, sympy.zeros(m))) if b.det() != 0), None)
-    if whole is not None:
-        back = whole.inv()
-        return lambda g: back * g.T * whole
+    form = _regular(_forms(made))
+    if form is not None:
+        back = form.inv()
+        return lambda g: back * g.T * form
+    if m > 1 and not any(any(e[-1, :]) for e in made):
+        return _affine_inverse(_inverse(name, [e[:-1, :-1] for e in made]))
     if m > LARGEST_ADJUGATE:
         raise ValueError(f"{name}: no bilinear form gives the inverse of matrices of {m} rows")
-    if has_unit_det:
+    if all(e.trace() == 0 for e in made):
         return lambda g: g.adjugate()
     return lambda g: g.adjugate() / g.det()
+
+
+def _affine_inverse(inner: Callable[[Matrix], Matrix]) -> Callable[[Matrix], Matrix]:
+    """[[M^-1, -M^-1 p], [0, 1]] of [[M, p], [0, 1]]; inner inverts M."""
+
+    def inverse(g: Matrix) -> Matrix:
+        back = inner(g[:-1, :-1])
+        above = Matrix.hstack(back, -back * g[:-1, -1])
+        return Matrix.vstack(above, Matrix(1, g.cols, [*g[-1, :]]))
+
+    return inverse
 
 
 LARGEST_ADJUGATE = 4
@@ -136,6 +157,7 @@ def _residual(
     envelope: Sequence[Matrix],
     embed: Callable[[Matrix], Matrix],
     forms: Sequence[Matrix],
+    duals: Sequence[Matrix],
     has_unit_det: bool,
 ) -> Callable[[Matrix], Matrix]:
     """What vanishes on the group: linear equations, kept forms, the determinant."""
@@ -148,6 +170,8 @@ def _residual(
         values = [] if linear is None else list(linear * (stored - Matrix(list(eye(m)))))
         for form in forms:
             values += _different((g.T * form * g - form).expand(), form)
+        for form in duals:
+            values += _different((g * form * g.T - form).expand(), form)
         if has_unit_det:
             values.append(g.det() - 1)
         return Matrix(values)

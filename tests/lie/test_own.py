@@ -5,6 +5,7 @@ from random import Random
 
 import numpy as np
 import pytest
+import sympy
 from sympy import Matrix
 
 from derive.control.matrix_law import keeps_odd_powers
@@ -14,6 +15,7 @@ from derive.lie.group import Group
 from derive.lie.own import of_basis, of_matrices, unseen
 from tests import points
 from tests.groups import ALL, BASES, OWN, each_group, matrix
+from tests.own import GALILEAN
 from tests.points import embedded, point, vector
 
 each_own = pytest.mark.parametrize("name", OWN)
@@ -71,17 +73,33 @@ def test_a_basis_of_the_catalogue_gives_its_group(name: str) -> None:
     assert unseen(group) == 0
 
 
-def test_what_no_form_and_no_equation_sees_is_counted() -> None:
-    """SE(3) from its basis alone: of R^T R = 1 only det R = 1 is found."""
-    SE3 = of_matrices("Mine", [Matrix(e) for e in named("SE3").basis], ("1/s",) * 6)
-    assert unseen(SE3) == 5
+@pytest.mark.parametrize("name", ["SE3", "SE23"])
+def test_a_group_that_carries_is_sealed_by_forms_on_the_dual(name: str) -> None:
+    """R R^T = 1 is g B g^T = B with B = diag(1, 1, 1, 0); the inverse is that of blocks."""
+    listed = named(name)
+    group = of_matrices("Mine", [Matrix(e) for e in listed.basis], listed.units)
+    assert unseen(group) == 0
+    p = Matrix([Fraction(x) for x in point(listed, Random(1))])
+    assert not any(group.residual(p))
+    g = group.embed(p)
+    assert group.inverse(g) * g == g**0
+    assert any(group.residual(Matrix(list(sympy.diag(2, Fraction(1, 2), *[1] * (g.rows - 2))))))
+
+
+def test_a_galilean_motion_has_an_inverse_of_blocks() -> None:
+    numbers = Matrix(range(1, 26))
+    g = GALILEAN.embed(numbers)
+    g[:3, :3] = Matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    assert GALILEAN.inverse(g) == g.inv()
+    assert not any(GALILEAN.residual(Matrix(list(g))))
+    assert unseen(GALILEAN) == 0
 
 
 def test_large_matrices_without_a_form_are_refused() -> None:
-    """Stretching one axis of five: no bilinear form, and cofactors of five rows are too many."""
-    basis = [matrix(5, **{f"a1{j}": 1}) for j in range(1, 6)]
+    """Every axis stretched at a rate of its own: no bilinear form, and cofactors of five rows."""
+    basis = [matrix(5, a11=1, a22=2, a33=3, a44=4, a55=5)]
     with pytest.raises(ValueError, match=r"Wide: no bilinear form gives the inverse .* 5 rows"):
-        of_basis("Wide", basis, ["1/s"] * 5)
+        of_basis("Wide", basis, ["1/s"])
 
 
 def test_a_semidirect_product_without_a_chart_has_no_logarithm() -> None:

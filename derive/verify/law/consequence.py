@@ -81,4 +81,6 @@ def span(one: Fall) -> str:
     low, high = min(one.rises, default=0.0), max(one.rises, default=0.0)
     if np.pi < low < np.pi + 0.05 and high > 2 * np.pi - 0.05:
         return "for q0 < 0"
-    return f"at some elements of angle or size {low:.2g} to {high:.2g}"
+    low_text, high_text = f"{low:.2g}", f"{high:.2g}"
+    span = f"near {low_text}" if low_text == high_text else f"{low_text} to {high_text}"
+    return f"at some elements of angle or size {span}"

@@ -128,8 +128,7 @@ class _Trial:
 
     @cached_property
     def _crossings(self) -> list[cut.Cut]:
-        directions = cut.curves(self.space, CURVES, np.random.default_rng(self.seed))
-        return cut.cuts(self.space, self.nu_u, directions)
+        return cut.cuts(self.nu_u, cut.curves(self.space, CURVES, np.random.default_rng(self.seed)))
 
     def _jumps(self, crossings: list[cut.Cut]) -> tuple[Jump, ...]:
         found: dict[str, Jump] = {}
@@ -213,6 +212,8 @@ class _Trial:
             found.append("the record states no pole, and there is one")
         if jumps and self.law.is_pole and not is_pole:
             found.append("the record states a pole, and the law only jumps")
+        if self.space.turns and self.law.is_pole and not jumps:
+            found.append("the record states a pole, and none is found")
         found += [f"y = {one.factor} for {one.morse} is off by {one.misfit:.3g}"
                   for one in falls if not one.misfit <= FITS]  # fmt: skip
         return found

@@ -19,6 +19,7 @@ from derive.control.matrix_law import keeps_odd_powers
 from derive.lie.group import Group
 from derive.lie.kernel import SMALL, TINY, Arc, K
 from derive.routine.derivation import Derivation
+from derive.verify.law.space import turning
 
 AXES = ((1, 0, 0), (0, 1, 0), (Rational(3, 5), Rational(-4, 5), 0),
         (Rational(2, 3), Rational(-1, 3), Rational(2, 3)))  # fmt: skip
@@ -115,7 +116,7 @@ def _generators(group: Group) -> Iterator[Matrix]:
     """hat of unit rotations about rational axes, translations across the axis along."""
     first = 0
     for factor in group.factors or (group,):
-        count = factor.units.count("rad/s")
+        count = turning(factor)
         for axis in AXES if count == 3 else AXES[:count]:
             turn = [sympy.sympify(a) for a in axis[:count]]
             for shift in (0, 2) if factor.dim > count else (0,):
@@ -135,7 +136,7 @@ def _across(turn: list[Expr], count: int, shift: int) -> list[Expr]:
     if len(turn) < 3:
         return [sympy.Integer(shift)] * count
     across = Matrix(turn).cross(Matrix([1, 2, -1]))
-    return list(shift * across) * (count // 3)
+    return list(shift * across) * (count // 3) + [sympy.S.Zero] * (count % 3)
 
 
 def _rate_squared(X: Matrix) -> Expr:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive.verify.law.exact import Point
-from derive.verify.law.space import Space
+from derive.verify.law.space import Space, turning
 
 Array = NDArray[Any]
 
@@ -23,12 +23,12 @@ TURNS = {("S3", 1): "q0 = 0", ("S3", 2): "-i"}
 def named(space: Space, g: Array, angles: Array) -> str:
     """The place of an element: which factor turns by a multiple of pi, or what is singular."""
     found = []
-    turning = [one for one in space.group.factors or (space.group,) if "rad/s" in one.units]
-    for order, (one, angle) in enumerate(zip(turning, angles, strict=True)):
+    factors = [one for one in space.group.factors or (space.group,) if turning(one)]
+    for order, (one, angle) in enumerate(zip(factors, angles, strict=True)):
         count = round(float(angle) / np.pi)
         if count and abs(angle - count * np.pi) < NEAR:
             place = TURNS.get((one.name, count), "rotations by pi")
-            found.append(f"{place} of factor {order + 1}" if len(turning) > 1 else place)
+            found.append(f"{place} of factor {order + 1}" if len(factors) > 1 else place)
     if found:
         return " and ".join(found)
     if abs(np.linalg.det(g + space.one)) < SINGULAR:

@@ -52,7 +52,7 @@ class Space:
         """Coordinates of each factor that are angular rates, and its first row in the matrix."""
         found, first, row = [], 0, 0
         for one in self.group.factors or (self.group,):
-            count = one.units.count("rad/s")
+            count = turning(one)
             if count:
                 found.append((slice(first, first + count), row))
             first, row = first + one.dim, row + one.basis[0].rows
@@ -117,6 +117,38 @@ class Space:
         """Rows of the rotation block: those that the generators of the factor move."""
         moved = np.abs(self.basis[place]).sum(0).any(0)
         return int(moved.sum())
+
+
+def turning(group: Group) -> int:
+    """How many leading coordinates of a group are rates of one rotation: 3, 1 or 0.
+
+    They are if their generators turn leading axes by an angle, or by half of it, with the brackets
+    of space where there are three, and all other generators are nilpotent: translations. What
+    units the coordinates have does not matter. A group that turns in other ways counts as none.
+    """
+    basis = [np.array(e, dtype=float) for e in group.basis]
+    for count in (3, 1):
+        turns, others = basis[:count], basis[count:]
+        nilpotent = (np.linalg.matrix_power(e, len(e)) for e in others)
+        if len(turns) == count and _is_rotation(turns) and not any(map(np.any, nilpotent)):
+            return count
+    return 0
+
+
+def _is_rotation(turns: list[Array]) -> bool:
+    """Whether generators turn leading axes as those of a plane or of space do."""
+    moved = np.abs(turns).sum(0).any(0)
+    squares = [float(np.trace(e @ e) / max(np.linalg.matrix_rank(e), 1)) for e in turns]
+    is_cubic = all(np.allclose(e @ e @ e, s * e) for e, s in zip(turns, squares, strict=True))
+    pairs = ((0, 1, 2), (1, 2, 0), (2, 0, 1))[: len(turns) // 3 * 3]
+    brackets = (turns[i] @ turns[j] - turns[j] @ turns[i] - turns[k] for i, j, k in pairs)
+    return (
+        is_cubic
+        and len({*squares}) == 1
+        and squares[0] in (-1.0, -0.25)
+        and not any(map(np.any, brackets))
+        and bool(moved[: int(moved.sum())].all())
+    )
 
 
 def _root(g: Array, one: Array) -> Array:

@@ -14,12 +14,13 @@ from derive.control.kinematic import LAWS, laws_of
 from derive.control.law import KinematicLaw, Written
 from derive.control.quaternion_law import Quaternion
 from derive.lie.catalogue import GROUPS, named
+from derive.lie.group import Group
 from derive.lie.kernel import K
 from derive.verify.law import consequence, factor
 from derive.verify.law.definition import judge
 from derive.verify.law.report import report
 from derive.verify.law.verdict import Verdict
-from tests.own import HEISENBERG, SL2
+from tests.own import GALILEAN, GL2, HEISENBERG, POSE, SL2, SO4
 from tests.verdicts import catalogue, verdict
 
 PI, NONE = "rotations by pi", ""
@@ -233,3 +234,25 @@ def test_groups_of_ones_own() -> None:
     assert not (log.rests)
     assert not (log.odd.fails)
     assert not (log.rises)
+
+
+def test_a_pole_is_found_where_no_curve_from_the_identity_leads() -> None:
+    cayley = judge(GL2, laws_of(GL2)["cayley"])
+    assert [(one.place, one.size) for one in cayley.jumps] == [
+        ("elements with det(g + 1) = 0", INF)
+    ]
+
+
+@pytest.mark.parametrize("group", [SO4, POSE, HEISENBERG, SL2, GALILEAN], ids=lambda one: one.name)
+def test_units_are_words_and_change_no_verdict(group: Group) -> None:
+    """Angular or not, whatever the order of the basis."""
+    plain = judge(group, laws_of(group)["skew"])
+    for unit in ("rad/s", "m/s"):
+        other = replace(group, units=(unit,) * group.dim)
+        assert judge(other, laws_of(other)["skew"]) == plain
+
+
+def test_a_pole_that_is_stated_has_to_be_found() -> None:
+    law = replace(laws_of(GROUPS["SO3"])["skew"], is_pole=True)
+    told = judge(GROUPS["SO3"], law).contradictions
+    assert told == ("the record states a pole, and none is found",)

@@ -1,5 +1,6 @@
 """The oracles of the Definition: numpy groups, exact elements, cuts and equilibria."""
 
+from dataclasses import replace
 from typing import Any
 
 import mpmath
@@ -16,8 +17,8 @@ from derive.verify.law import cut, exact, rest, slope
 from derive.verify.law.cloud import cloud
 from derive.verify.law.place import named as place_of
 from derive.verify.law.place import numbers, where
-from derive.verify.law.space import Space
-from tests.own import HEISENBERG, SL2, SPIRAL
+from derive.verify.law.space import Space, turning
+from tests.own import HEISENBERG, SL2, SO4, SPIRAL
 
 EVERY = [*GROUPS.values(), named("S3 x SE2"), SL2, HEISENBERG]
 each = pytest.mark.parametrize("group", EVERY, ids=[group.name for group in EVERY])
@@ -54,6 +55,17 @@ def test_angles(angle: float) -> None:
     assert Space(GROUPS["SE3"]).angles(Space(GROUPS["SE3"]).exp(np.array([*x, 5, 6, 7]))) == (
         pytest.approx([folded], abs=1e-9)
     )
+
+
+def test_what_turns_is_seen_in_the_basis_and_not_in_the_units() -> None:
+    turns = {"SO2": 1, "SO3": 3, "S3": 3, "SE2": 1, "SE3": 3, "SE23": 3, "R3": 0}
+    assert {name: turning(group) for name, group in GROUPS.items()} == turns
+    for units in (("rad/s",) * 3, ("m/s", "rad/s", "1/s")):
+        for group in (*GROUPS.values(), SL2, HEISENBERG, SO4):
+            named_otherwise = replace(group, units=(units * 3)[: group.dim])
+            assert turning(named_otherwise) == turns.get(group.name, 0)
+    order = [GROUPS["SE2"].basis[i] for i in (1, 2, 0)]
+    assert turning(replace(GROUPS["SE2"], basis=tuple(order))) == 0
 
 
 def test_a_whole_turn_is_the_identity_but_on_s3() -> None:
@@ -102,16 +114,18 @@ def test_a_jump_is_found_where_it_is_and_its_size() -> None:
         x = space.store(g)[..., [7, 2, 3]]
         return np.where(x[..., :1] > 0.123, x + 0.5, x)
 
-    found = cut.cuts(space, law, np.eye(3)[:1])
+    along = [cut.Curve(space, space.one, x) for x in np.eye(3)]
+    found = cut.cuts(law, along[:1])
     assert [one.size for one in found] == pytest.approx([0.75**0.5] * 3)
     assert [float(np.sin(one.angles[0])) for one in found] == pytest.approx([0.123] * 3)
     assert not any(one.is_steep for one in found)
-    assert cut.cuts(space, lambda g: space.store(g)[..., [7, 2, 3]], np.eye(3)) == []
+    assert cut.cuts(lambda g: space.store(g)[..., [7, 2, 3]], along) == []
 
 
 def test_a_pole_has_no_bound_and_is_steep() -> None:
     space = Space(GROUPS["SO2"])
-    found = cut.cuts(space, lambda g: g[..., 1, :1] / (1 + g[..., 0, :1] + 1e-30), np.ones((1, 1)))
+    curve = cut.Curve(space, space.one, np.ones(1))
+    found = cut.cuts(lambda g: g[..., 1, :1] / (1 + g[..., 0, :1] + 1e-30), [curve])
     assert [(one.size, one.is_steep) for one in found] == [(np.inf, True)]
 
 
