@@ -107,10 +107,6 @@ class Extras:
     external: Matrix
 
 
-OPTIONS = ("external", "momentum")
-"""Names of the extras in a vehicle file."""
-
-
 def take_extras(d: Derivation, group: Group, options: tuple[str, ...]) -> Extras:
     """Declare as inputs of d the extras asked for."""
     zero = sympy.zeros(group.dim, 1)

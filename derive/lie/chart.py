@@ -155,17 +155,9 @@ def rebased(charted: Charted, back: Matrix) -> Charted:
         inner = charted(let, stored)
         first = let("log_old", inner.log, "1", "logarithm in the first basis")
         log = let("log", back * first, "1", "logarithm")
-        tangent = inner.tangent and _rebased_tangent(inner.tangent, back)
-        return replace(inner, log=log, tangent=tangent)
+        return replace(inner, log=log, tangent=None)  # laws go by the first basis
 
     return chart
-
-
-def _rebased_tangent(inner: Tangent, back: Matrix) -> Tangent:
-    def tangent(let: Let) -> Matrix:
-        return back * let("c_old", inner(let), "1", "c in the first basis")
-
-    return tangent
 
 
 def of_unipotent(group_of: Callable[[Matrix], Matrix], vee: Callable[[Matrix], Matrix]) -> Charted:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
-from derive.control.table import CONTROLLERS
+from derive.control.table import CONTROLLERS, OPTIONS
 from derive.vehicle.body import assembled, has_added_mass
 from derive.vehicle.check import (
     Matrix,
@@ -31,7 +31,6 @@ __all__ = [
 SCHEMA = 1
 SCALARS = ("f32", "f64")
 TARGETS = ("c99", "numpy")
-OPTIONS = ("external", "momentum")
 DEFAULT_LAW = "log"
 DEFAULT_CONTROLLER = "gsmc"
 
