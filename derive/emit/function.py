@@ -44,10 +44,25 @@ class Function:
         rows = {one.name: _row(one, given[one.name]) for one in self.inputs}
         batch = np.broadcast_shapes(*(row.shape[:-1] for row in rows.values()))
         columns = {name: np.moveaxis(row, -1, 0) for name, row in rows.items()}
-        with np.errstate(all="ignore"):  # of the cases of a choice all are computed
-            found = self._run(**columns)
-        pairs = zip(self._outputs, found, strict=True)
+        pairs = zip(self._outputs, self._found(columns), strict=True)
         return {one.name: _stacked(one, entries, batch) for one, entries in pairs}
+
+    def columns(self, **given: Array) -> tuple[Array, ...]:
+        """Outputs in order, (size, N) or (N,), of columns (size, N) or (N,): nothing is judged.
+
+        Each entry of the result depends on its own column alone, whatever N is.
+        """
+        rows = {
+            one.name: given[one.name][None] if one.is_scalar else given[one.name]
+            for one in self.inputs
+        }
+        batch = np.broadcast_shapes(*(row.shape[1:] for row in rows.values()))
+        pairs = zip(self._outputs, self._found(rows), strict=True)
+        return tuple(_column(one, entries, batch) for one, entries in pairs)
+
+    def _found(self, columns: dict[str, Array]) -> tuple[tuple[Array, ...], ...]:
+        with np.errstate(all="ignore"):  # of the cases of a choice all are computed
+            return self._run(**columns)
 
 
 def compiled(d: Derivation) -> Function:
@@ -102,6 +117,15 @@ def _row(quantity: Quantity, value: Array) -> Array:
         wanted = "(...)" if quantity.is_scalar else f"(..., {quantity.size})"
         raise ValueError(f"{quantity.name}: expected an array {wanted}, found {array.shape}")
     return row.astype(np.result_type(row, np.float64), copy=False)
+
+
+def _column(quantity: Quantity, entries: tuple[Array, ...], batch: tuple[int, ...]) -> Array:
+    if quantity.is_scalar:
+        return np.broadcast_to(entries[0], batch)
+    columns = np.empty((len(entries), *batch), np.result_type(np.float64, *entries))
+    for column, entry in zip(columns, entries, strict=True):
+        column[...] = entry
+    return columns
 
 
 def _stacked(quantity: Quantity, entries: tuple[Array, ...], batch: tuple[int, ...]) -> Array:

@@ -1,10 +1,11 @@
 """Decides how compiled C is called: one contiguous array of structs per argument, row by row."""
 
 import importlib.util
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import cffi
 import numpy as np
@@ -79,7 +80,7 @@ class Library:
         unknown routine, TypeError for wrong arguments or fields, ValueError for a wrong shape.
         """
         declared = self.routines[routine]
-        layouts = {one.name: self._argument(one) for one in declared.parameters}
+        layouts = {one.name: self.argument(one) for one in declared.parameters}
         inputs = [one.name for one in declared.parameters if one.is_input]
         if wrong := ({*given} ^ {*inputs}) - {"params"}:
             raise TypeError(f"{routine} takes {inputs}; missing or unknown: {sorted(wrong)}")
@@ -155,10 +156,23 @@ class Library:
         """Status of the parameters, (…): OK or BAD_PARAMS."""
         return self.call("check_params", params=params)["status"]
 
+    def bound(self, prototype: str, symbol: str) -> Callable[..., None]:
+        """A further function of the library: it takes numbers, and arrays as their addresses."""
+        self._ffi.cdef(f"{prototype};", override=True)
+        function = getattr(self._library, symbol)
+        types = self._ffi.typeof(function).args
+
+        def call(*given: Any) -> None:
+            cast = self._ffi.cast
+            function(*(cast(kind, one.ctypes.data) if isinstance(one, np.ndarray) else one
+                       for kind, one in zip(types, given, strict=True)))  # fmt: skip
+
+        return call
+
     def _symbol(self, name: str) -> str:
         return f"{self.prefix}_{name}"
 
-    def _argument(self, parameter: Parameter) -> Record:
+    def argument(self, parameter: Parameter) -> Record:
         """A struct as it is; a plain array as a record with one field, named like itself."""
         ctype = self._ffi.typeof(parameter.type)
         if ctype.kind == "struct":

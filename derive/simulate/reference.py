@@ -1,0 +1,83 @@
+"""Motions to follow: a first configuration and a velocity with its exact rate, over time.
+
+The configuration itself is integrated with the plant, by the same steps, so that g_r' = g_r
+hat(nu_r) holds whatever the group is.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from derive.simulate.space import Array
+
+
+@dataclass(frozen=True)
+class Reference:
+    """g_r(0), (k, 1), and t -> nu_r and nu_r', (n, 1) each, velocities in its own body frame.
+
+    is_at_rest: it never leaves the identity, which is all that `reaching` knows
+    """
+
+    start: Array
+    at: Callable[[float], tuple[Array, Array]]
+    is_at_rest: bool = False
+
+
+def steady(start: Array, nu_r: Array) -> Reference:
+    """A constant body velocity nu_r (n, 1)."""
+    still = np.zeros_like(nu_r)
+    return Reference(start, lambda t: (nu_r, still))
+
+
+def slew(start: Array, along: Array, seconds: float) -> Reference:
+    """From rest to rest along exp(hat(along)), (n, 1), at a speed of 30 p^2 (1 - p)^2/seconds.
+
+    p = t/seconds; velocity and acceleration are continuous, and both are zero at the ends.
+    """
+
+    def at(t: float) -> tuple[Array, Array]:
+        p = min(max(t / seconds, 0.0), 1.0)
+        speed = 30 * p * p * (1 - p) * (1 - p) / seconds
+        gain = 60 * p * (1 - p) * (1 - 2 * p) / (seconds * seconds)
+        return along * speed, along * gain
+
+    return Reference(start, at)
+
+
+def tabled(start: Array, times: Array, nu_r: Array, nu_r_dot: Array) -> Reference:
+    """Through velocities and their rates at given times, (rows,) and (rows, n), by cubics.
+
+    The cubic of each interval takes both at its ends, so nu_r_dot is the exact rate of nu_r.
+    Before the first and after the last row the velocity of that row is kept.
+    """
+    knots = [float(t) for t in times]
+
+    def at(t: float) -> tuple[Array, Array]:
+        if t <= knots[0] or t >= knots[-1]:
+            return _held(nu_r[0 if t <= knots[0] else -1])
+        i = bisect_right(knots, t) - 1
+        long = knots[i + 1] - knots[i]
+        p = (t - knots[i]) / long
+        value, rate = _cubic(p)
+        ends = np.stack([nu_r[i], long * nu_r_dot[i], nu_r[i + 1], long * nu_r_dot[i + 1]])
+        velocity = sum(w * end for w, end in zip(value, ends, strict=True))
+        gain = sum(w * end for w, end in zip(rate, ends, strict=True))
+        return np.asarray(velocity)[:, None], np.asarray(gain)[:, None] / long
+
+    return Reference(start, at)
+
+
+def _held(velocity: Array) -> tuple[Array, Array]:
+    return velocity[:, None], np.zeros((len(velocity), 1))
+
+
+def _cubic(p: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Hermite's four cubics at p in [0, 1], and their rates by p."""
+    q = 1 - p
+    value = ((1 + 2 * p) * q * q, p * q * q, p * p * (3 - 2 * p), -p * p * q)
+    rate = (-6 * p * q, (1 - 3 * p) * q, 6 * p * q, p * (3 * p - 2))
+    return value, rate

@@ -1,0 +1,87 @@
+"""The group in numbers: derivations of derive.control.motion, run over columns.
+
+A quantity of N loops is an array (size, N), or (size, 1) where all loops share it. Only
+additions, products, quotients, square roots and choices are made, each on its own column: the
+result for one loop does not depend on how many others stand beside it.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from derive.control import mechanics, motion
+from derive.emit.function import Function, compiled
+from derive.lie.group import Group
+from derive.simulate.craft import Craft, group_of
+
+Array = NDArray[np.float64]
+
+
+class Space:
+    """What the loop needs of a group and of the plant on it."""
+
+    def __init__(self, group: Group, pattern: tuple[bool, ...], options: tuple[str, ...]) -> None:
+        self.group, self.options = group, options
+        self.dim, self.size = group.dim, group.size
+        self._advance = compiled(motion.advance(group))
+        self._chart_rate = compiled(motion.chart_rate(group))
+        self._deviation = compiled(motion.deviation(group))
+        self._plant = compiled(mechanics.plant(group, pattern, options))
+        residual = mechanics.residual(group)
+        self._residual: Function | None = compiled(residual) if residual.outputs else None
+
+    @property
+    def identity(self) -> Array:
+        """The stored numbers of e, (k, 1)."""
+        return np.array(self.group.identity, dtype=np.float64)[:, None]
+
+    @property
+    def turns(self) -> list[int]:
+        """The coordinates that are angular rates; all where the group has no units."""
+        found = [i for i, unit in enumerate(self.group.units) if unit.startswith("rad")]
+        return found if set(self.group.units) & {"rad/s", "m/s"} else list(range(self.dim))
+
+    def advance(self, g: Array, x: Array) -> Array:
+        """g exp(hat(x)), (k, N), for displacements x (n, N) that turn by at most 1 rad."""
+        return self._first(self._advance, g=g, x=x)
+
+    def far(self, g: Array, x: Array) -> Array:
+        """The same for a displacement of any size, in steps that are small enough."""
+        largest = float(np.abs(x).max(initial=0.0))
+        parts = max(1, int(np.ceil(2 * largest)))
+        for _ in range(min(parts, 64)):
+            g = self.advance(g, x / min(parts, 64))
+        return g
+
+    def chart_rate(self, x: Array, nu: Array) -> Array:
+        """x', (n, N), where g0 exp(hat(x)) moves with the body velocity nu (n, N)."""
+        return self._first(self._chart_rate, x=x, nu=nu)
+
+    def deviation(self, g: Array, nu: Array, g_r: Array, nu_r: Array) -> tuple[Array, ...]:
+        """g_e (k, N), nu_e (n, N) and the height of g_e (N,)."""
+        return self._deviation.columns(g=g, nu=nu, g_r=g_r, nu_r=nu_r)
+
+    def acceleration(self, inertia: Array, nu: Array, force: Array, **extras: Array) -> Array:
+        """nu', (n, N), under a force; extras are those of the options. Eq. (EulerP)."""
+        return self._first(self._plant, inertia=inertia, nu=nu, force=force, **extras)
+
+    def drift(self, g: Array) -> Array:
+        """How far stored numbers are from the group, (N,): the largest residual."""
+        if self._residual is None:
+            return np.zeros(g.shape[1])
+        return np.asarray(np.abs(self._first(self._residual, g=g)).max(0))
+
+    def _first(self, function: Function, **given: Any) -> Array:
+        wanted = {one.name for one in function.inputs}
+        found: Array = function.columns(**{n: v for n, v in given.items() if n in wanted})[0]
+        return found
+
+
+@cache
+def space_of(craft: Craft) -> Space:
+    """The space of a craft, derived once per process."""
+    return Space(group_of(craft), craft.pattern, craft.options)
