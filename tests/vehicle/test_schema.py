@@ -51,7 +51,8 @@ def test_ranges_of_a_flight_are_those_of_the_reader() -> None:
     reference = KEYS["reference"]["properties"]
     assert tuple(reference["kind"]["enum"]) == tuple(vehicle_experiment.KINDS)
     least, most, _ = vehicle_experiment.SCALARS["seconds"]
-    assert (reference["seconds"]["minimum"], reference["seconds"]["maximum"]) == (least, most)
+    bounds = reference["seconds"]["minimum"], reference["seconds"]["maximum"]
+    assert bounds == (float(least), float(most))
 
 
 def test_version_is_that_of_the_reader() -> None:
