@@ -21,8 +21,9 @@ def course(vehicle: Vehicle, craft: Craft) -> Course:
     """The course of the vehicle's [reference]. Raises InputError."""
     written, space = vehicle.experiment.course, space_of(craft)
     if craft.controller == "reaching" and written.kind != "rest":
-        raise InputError(vehicle.source, "reference", "rest: reaching follows no reference",
-                         f"kind = {written.kind}", 'leave it out, or write controller = "gsmc"')  # fmt: skip
+        expected, found = "rest: reaching follows no reference", f"kind = {written.kind}"
+        remedy = 'leave it out, or write controller = "gsmc"'
+        raise InputError(vehicle.source, "reference", expected, found, remedy)
     if written.file is not None:
         return _of_file(written.file, space)
     start = _start(vehicle, space)
@@ -62,11 +63,13 @@ def _of_file(path: Path, space: Space) -> Course:
     """A motion whose every configuration is on the group and follows from its velocities."""
     motion = read_motion(path, space.size, space.dim)
     g = np.array(motion.g).T
-    _refuse(path, motion, space.drift(g), OFF_GROUP, f"a configuration of {space.group.name}",
-            "off the group by", "normalise it; a quaternion has length 1")  # fmt: skip
+    expected = f"a configuration of {space.group.name}"
+    remedy = "normalise it; a quaternion has length 1"
+    _refuse(path, motion, space.drift(g), OFF_GROUP, expected, "off the group by", remedy)
+    expected = "the configuration that nu_r leads to from the row above"
+    remedy = "mend g or nu_r, or give more rows; velocities are in the body frame"
     unlike = np.concatenate([[0.0], _unlike(space, g, motion)])
-    _refuse(path, motion, unlike, UNLIKE, "the configuration that nu_r leads to from the row above",
-            "apart from it by", "mend g or nu_r, or give more rows; velocities are in the body frame")  # fmt: skip
+    _refuse(path, motion, unlike, UNLIKE, expected, "apart from it by", remedy)
     rows = zip(motion.t, motion.nu_r, motion.nu_r_dot, strict=True)
     return Course("table", motion.g[0], tuple((t, *nu, *dot) for t, nu, dot in rows))
 

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from derive import pipeline
 from derive.course import course
-from derive.simulate.craft import Craft
+from derive.demand import backend_of, wide
+from derive.simulate import tell
+from derive.simulate.craft import Craft, group_of
 from derive.simulate.draw import Spread, drawn
 from derive.simulate.flight import Flight, recorded
-from derive.simulate.invariant import Invariant, invariants
+from derive.simulate.invariant import Invariant, crossings, invariants
 from derive.simulate.loop import Loop
 from derive.simulate.reference import Reference
 from derive.simulate.runs import Runs, Setting
@@ -25,13 +28,30 @@ SAMPLED_STEP = 0.01  # s, the longest where the force is held
 
 
 @dataclass(frozen=True)
+class Asked:
+    """What a command line says of a run.
+
+    seed:  draw the run as a sweep does; None for the one that the vehicle file states
+    given: keys of Experiment that replace those of the vehicle file
+    out:   folder for figures and numbers; None for none
+    """
+
+    backend: str = "f64"
+    seed: int | None = None
+    box: float = 1.0
+    speed: float = 0.5
+    given: Mapping[str, Any] = field(default_factory=dict)
+    out: Path | None = None
+
+
+@dataclass(frozen=True)
 class Flown:
     """One run of a vehicle, its flight, and what was watched in it."""
 
     vehicle: Vehicle
     craft: Craft
     setting: Setting
-    backend: str
+    asked: Asked
     flight: Flight
     invariants: tuple[Invariant, ...]
 
@@ -39,6 +59,31 @@ class Flown:
     def ok(self) -> bool:
         """Whether no invariant broke."""
         return all(one.ok for one in self.invariants)
+
+    @property
+    def found(self) -> dict[str, float | None]:
+        """Its figures by name."""
+        turns = space_of(self.craft).turns
+        return tell.figures(self.flight, crossings(self.flight.nu_u[:, turns]))
+
+    def table(self) -> str:
+        """Figures and invariants as text."""
+        rate = self.setting.rate
+        pace = "continuous" if rate is None else f"{rate:g} Hz"
+        drawn = "" if self.asked.seed is None else f", seed {self.asked.seed}"
+        head = (
+            f"{self.craft.name}: {self.craft.controller} on {self.craft.group}, "
+            f"{self.asked.backend}, {pace}, {self.setting.seconds:g} s{drawn}"
+        )
+        return tell.table(head, group_of(self.craft), self.found, self.invariants)
+
+    def as_json(self) -> str:
+        """Everything, trajectory included."""
+        craft = self.craft
+        facts = {"vehicle": craft.name, "group": craft.group, "law": craft.law,
+                 "controller": craft.controller, "backend": self.asked.backend,
+                 "seed": self.asked.seed}  # fmt: skip
+        return tell.as_json(facts, self.setting, self.flight, self.found, self.invariants)
 
 
 def craft(vehicle: Vehicle, cached: Path | None) -> Craft:
@@ -59,29 +104,56 @@ def craft(vehicle: Vehicle, cached: Path | None) -> Craft:
     )
 
 
-def fly(
+def simulate(
     vehicle: Vehicle,
     cached: Path | None,
-    backend: str,
-    spread: Spread | None = None,
-    seed: int = 0,
+    asked: Asked,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Flown:
-    """One run as the vehicle file states it, or, with a spread, as the sweep draws it by a seed.
+    """One run as the vehicle file states it, or, by a seed, as a sweep draws it.
 
-    Raises InputError, and CompilerMissing or CompileError where C cannot be built.
+    Raises InputError.
     """
+    backend_of(asked.backend)
+    one = overridden(vehicle, asked.given)
     progress("deriving")
-    made = craft(vehicle, cached)
-    reference, setting = course(vehicle, made).reference(), setting_of(vehicle)
-    if spread is None:
-        runs = stated(vehicle, made, reference, seed)
-    else:
-        runs = drawn(made, reference, setting, spread, [seed])
-    loop = Loop(made, backend, reference, setting, runs)
+    made = craft(one, cached)
+    reference, setting = course(one, made).reference(), setting_of(one)
+    runs = _runs(one, made, reference, asked)
+    loop = Loop(made, asked.backend, reference, setting, runs)
     (flight,) = recorded(loop.moments(), lambda t: progress(f"{t:.1f} of {setting.seconds:g} s"))
     progress("invariants")
-    return Flown(vehicle, made, setting, backend, flight, tuple(invariants(loop, flight)))
+    return Flown(one, made, setting, asked, flight, tuple(invariants(loop, flight)))
+
+
+def overridden(vehicle: Vehicle, given: Mapping[str, Any]) -> Vehicle:
+    """The vehicle with what a command line says in the place of what its file says."""
+    n = len(vehicle.inertia)
+    exact: dict[str, Any] = {
+        key: tuple(map(Fraction, wide(value, n, option(key)))) if isinstance(value, tuple)
+        else Fraction(value)
+        for key, value in given.items()
+    }  # fmt: skip
+    return replace(vehicle, experiment=replace(vehicle.experiment, **exact))
+
+
+def option(key: str) -> str:
+    """The option that says what a key of Experiment says."""
+    return "--" + {"seconds": "duration"}.get(key, key).replace("_", "-")
+
+
+def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> Runs:
+    if asked.seed is None:
+        return stated(vehicle, made, reference)
+    said = vehicle.experiment
+    spread = Spread(
+        box=asked.box,
+        speed=asked.speed,
+        inertia=abs(float(said.inertia_error)),
+        disturbance=max(map(float, said.disturbance), default=0.0),
+        wave=max(map(float, said.wave), default=0.0),
+    )
+    return drawn(made, reference, spread, [asked.seed])
 
 
 def setting_of(vehicle: Vehicle) -> Setting:
@@ -89,12 +161,13 @@ def setting_of(vehicle: Vehicle) -> Setting:
     asked = vehicle.experiment
     rate = None if asked.rate is None else float(asked.rate)
     if rate is None and (asked.noise_g or asked.noise_nu):
-        raise InputError(vehicle.source, "simulate.rate", "a rate in Hz: noise is of samples",
-                         "a continuous controller", "give a rate, or leave out the noise")  # fmt: skip
+        expected, remedy = "a rate in Hz: noise is of samples", "give a rate, or no noise"
+        found = "a continuous controller"
+        raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
     if rate is not None and rate * float(asked.seconds) < 1:
-        raise InputError(vehicle.source, "simulate.rate", "at least one period in the duration",
-                         f"{rate:g} Hz over {float(asked.seconds):g} s",
-                         "raise the rate, or the duration")  # fmt: skip
+        expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
+        found = f"{rate:g} Hz over {float(asked.seconds):g} s"
+        raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
     step = float(asked.step)
     return Setting(
         seconds=float(asked.seconds),
@@ -107,8 +180,8 @@ def setting_of(vehicle: Vehicle) -> Setting:
     )
 
 
-def stated(vehicle: Vehicle, made: Craft, reference: Reference, seed: int) -> Runs:
-    """The one run that the vehicle file states; the seed is that of its noise."""
+def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:
+    """The one run that the vehicle file states; its noise is of seed 0."""
     asked, space = vehicle.experiment, space_of(made)
     n = space.dim
     turn = _column(asked.turn, n, 0.5)
@@ -122,7 +195,7 @@ def stated(vehicle: Vehicle, made: Craft, reference: Reference, seed: int) -> Ru
         disturbance=_column(asked.disturbance, n),
         sine=wave,
         cosine=np.zeros_like(wave),
-        seeds=(seed,),
+        seeds=(0,),
     )
 
 
