@@ -35,7 +35,7 @@ def course(vehicle: Vehicle, craft: Craft) -> Course:
 
 
 def _floats(values: object) -> tuple[float, ...]:
-    return tuple(map(float, values))  # type: ignore[call-overload, no-any-return]
+    return tuple(map(float, values))  # type: ignore[call-overload]
 
 
 def _start(vehicle: Vehicle, space: Space) -> tuple[float, ...]:

@@ -19,12 +19,13 @@ from derive.simulate.draw import Spread, drawn
 from derive.simulate.flight import Flight, recorded
 from derive.simulate.invariant import Invariant, crossings, invariants
 from derive.simulate.loop import Loop
+from derive.simulate.pace import longest
 from derive.simulate.reference import Reference
 from derive.simulate.runs import Runs, Setting
 from derive.simulate.space import Array, space_of
 from derive.vehicle import InputError, Vehicle, check_facts, resolve
 
-SAMPLED_STEP = 0.01  # s, the longest where the force is held
+TURN, SPEED = 0.5, 0.1  # of every coordinate at the start, where the vehicle file says nothing
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ def simulate(
     one = overridden(vehicle, asked.given)
     progress("deriving")
     made = craft(one, cached)
-    reference, setting = course(one, made).reference(), setting_of(one)
+    reference, setting = course(one, made).reference(), setting_of(one, made)
     runs = _runs(one, made, reference, asked)
     loop = Loop(made, asked.backend, reference, setting, runs)
     (flight,) = recorded(loop.moments(), lambda t: progress(f"{t:.1f} of {setting.seconds:g} s"))
@@ -144,7 +145,8 @@ def option(key: str) -> str:
 
 def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> Runs:
     if asked.seed is None:
-        return stated(vehicle, made, reference)
+        runs: Runs = stated(vehicle, made, reference)
+        return runs
     said = vehicle.experiment
     spread = Spread(
         box=asked.box,
@@ -156,7 +158,7 @@ def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> 
     return drawn(made, reference, spread, [asked.seed])
 
 
-def setting_of(vehicle: Vehicle) -> Setting:
+def setting_of(vehicle: Vehicle, made: Craft) -> Setting:
     """What its [simulate] says of every run. Raises InputError."""
     asked = vehicle.experiment
     rate = None if asked.rate is None else float(asked.rate)
@@ -168,11 +170,10 @@ def setting_of(vehicle: Vehicle) -> Setting:
         expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
         found = f"{rate:g} Hz over {float(asked.seconds):g} s"
         raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
-    step = float(asked.step)
     return Setting(
         seconds=float(asked.seconds),
         rate=rate,
-        longest=step if rate is None else min(step, SAMPLED_STEP),
+        longest=longest(made, rate) if asked.step is None else float(asked.step),
         hertz=float(asked.hertz),
         force_limit=tuple(map(float, asked.force_limit)) or None,
         noise_g=float(asked.noise_g),
@@ -184,11 +185,11 @@ def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:
     """The one run that the vehicle file states; its noise is of seed 0."""
     asked, space = vehicle.experiment, space_of(made)
     n = space.dim
-    turn = _column(asked.turn, n, 0.5)
+    turn = _column(asked.turn, n, TURN)
     wave = _column(asked.wave, n)
     return Runs(
         g=space.far(reference.start, turn),
-        nu=_column(asked.nu, n),
+        nu=_column(asked.nu, n, SPEED),
         momentum=_column(asked.momentum, n),
         inertia=(1 + float(asked.inertia_error)) * np.array(made.inertia)[:, None],
         external=_column(asked.external, n),

@@ -1,7 +1,7 @@
 """What a vehicle file says of flights: the motion to follow, and what a closed loop meets.
 
-Nothing here changes what is emitted. Left out, a vehicle is flown for 30 s from an error of one
-unit in every coordinate to rest at the identity.
+Nothing here changes what is emitted. Left out, a vehicle is flown for 30 s to rest at the identity
+from an error of half a unit and a velocity of a tenth in every coordinate.
 """
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ class Course:
 class Experiment:
     """A closed loop as written; (n,) in the coordinates of the algebra, SI units.
 
-    seconds, rate, step: duration; of the controller in Hz, None for continuous; longest step
+    seconds, rate:       duration; of the controller in Hz, None for a continuous one
+    step:                longest step of the integration; None for one that fits the loop
     turn, nu:            first error, g(0) = g_r(0) exp(hat(turn)), and first body velocity
     momentum, external:  internal momentum of wheels at the start; known force
     disturbance, wave:   constant force that the controller is not told; amplitude of a periodic
@@ -59,7 +60,7 @@ class Experiment:
     course: Course = Course()
     seconds: Fraction = Fraction(30)
     rate: Fraction | None = None
-    step: Fraction = Fraction(1, 20)
+    step: Fraction | None = None
     turn: Numbers = ()
     nu: Numbers = ()
     momentum: Numbers = ()
