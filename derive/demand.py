@@ -7,7 +7,7 @@ from derive.simulate.pilot import BACKENDS
 from derive.simulate.runs import Setting
 from derive.vehicle import InputError
 
-PLACE = PLACE
+PLACE = "command line"
 MOST_INSTANTS = 10**8  # of one run
 
 
