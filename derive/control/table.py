@@ -24,12 +24,14 @@ class Controller:
     """What a controller takes, and where it exists.
 
     gains:  in the order in which they are passed on
+    routines: its laws as they are called on the target; the first is what `control` guards
     law:    the kinematic law that its attitude error is made of; None where the file names one
     groups: names of the groups it exists on; none where it exists on every group
     why:    why on no other
     """
 
     gains: tuple[Gain, ...]
+    routines: tuple[str, ...] = ("tracking",)
     law: str | None = None
     groups: tuple[str, ...] = ()
     why: str = ""
@@ -64,11 +66,13 @@ _PD = (
 _MATRICES = "its attitude error is made of R_e - R_e^T of rotation matrices"
 
 CONTROLLERS: dict[str, Controller] = {
-    "gsmc": Controller(_SLIDING),  # geometric sliding-mode tracking, eq. (TckCtrl)
-    "reaching": Controller(_SLIDING),  # the law without a reference, eq. (Ctrl2)
-    "lsf_printed": Controller(_LSF, "skew", ("SO3",), _MATRICES),  # eq. (Ctrls2) to the letter
-    "lsf": Controller(_LSF, "skew", ("SO3",), _MATRICES),  # eq. (Ctrls2), its F_2 mended
-    "pd_plus": Controller(_PD, "lee", ("SO3",), _MATRICES),  # eq. (Ctrls3)
+    # Geometric sliding-mode tracking, eq. (TckCtrl), and the law without a reference, eq. (Ctrl2).
+    "gsmc": Controller(_SLIDING, ("tracking", "reaching")),
+    "reaching": Controller(_SLIDING, ("reaching",)),
+    # What the paper compares with: eq. (Ctrls2) to the letter and mended, eq. (Ctrls3).
+    "lsf_printed": Controller(_LSF, law="skew", groups=("SO3",), why=_MATRICES),
+    "lsf": Controller(_LSF, law="skew", groups=("SO3",), why=_MATRICES),
+    "pd_plus": Controller(_PD, law="lee", groups=("SO3",), why=_MATRICES),
 }
 """Controller name -> what it takes."""
 
