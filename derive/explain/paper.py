@@ -50,7 +50,7 @@ STEPS = {
     ("eq. (Ctrls3)", "force"): "force == I*given - coad(eta)*{whole} - k_Omega*s{less}",
     ("plant", "total"): "total == coad(nu)*{whole} + force{plus}",
 }
-"""(routine or its equation, step) -> the step without coordinates, where its entries do not say it already."""
+"""(routine or its equation, step) -> the step without coordinates, where entries do not say it."""
 
 EXTRAS = {
     "carried": ("momentum", "(I*nu + momentum)", "I*nu"),
