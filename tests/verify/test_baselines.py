@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from derive import pipeline
-from derive.control import baseline
+from derive.control import port
 from derive.control.table import CONTROLLERS
 from derive.vehicle import Vehicle, load
 from derive.verify.closed import lsf_residual
@@ -109,8 +109,8 @@ def test_one_lsf_is_not_taken_for_the_other() -> None:
 
 @each_baseline
 def test_exchanged_gains_turn_the_suite_red(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = baseline.take_gains
-    monkeypatch.setattr(baseline, "take_gains", lambda *given: right(*given)[::-1])
+    right = port.take_gains
+    monkeypatch.setattr("derive.control.baseline.take_gains", lambda *given: right(*given)[::-1])
     assert failures(verified(BODIES[name], each=2)) != []
 
 

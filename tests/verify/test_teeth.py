@@ -14,7 +14,7 @@ import pytest
 import sympy
 
 from derive import pipeline
-from derive.control import quaternion_law, sliding
+from derive.control import port, quaternion_law
 from derive.emit import literal, printer
 from derive.lie import catalogue, cover, kernel
 from derive.lie.group import Group
@@ -78,8 +78,8 @@ def rate_along_axis_doubled(patch: Patch) -> None:
 
 
 def gains_exchanged(patch: Patch) -> None:
-    right = sliding.take_gains
-    patch.setattr(sliding, "take_gains", lambda *given: right(*given)[::-1])
+    right = port.take_gains
+    patch.setattr("derive.control.sliding.take_gains", lambda *given: right(*given)[::-1])
 
 
 def half_law_for_whole(patch: Patch) -> None:

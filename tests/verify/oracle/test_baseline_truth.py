@@ -14,6 +14,7 @@ from derive.verify.oracle.precise import mp, quaternion
 
 Array = NDArray[np.float64]
 J = np.array([[3.6046, -0.0706, 0.1491], [-0.0706, 8.6868, 0.0449], [0.1491, 0.0449, 9.3484]])
+ROWS: list[list[float]] = J.tolist()
 GAINS = {
     "lsf_printed": {"k": 1.5, "kappa": 0.5},
     "lsf": {"k": 1.5, "kappa": 0.5},
@@ -52,7 +53,7 @@ def test_it_is_what_the_paper_prints(name: str) -> None:
     rotations = rotations.reshape(2, 8, 3, 3)
     for R_r, R in zip(*rotations, strict=True):
         W, W_r, rate = rng.normal(size=(3, 3))
-        found = tracking(name, J, GAINS[name], R_r.ravel(), R.ravel(), W, W_r, rate)
+        found = tracking(name, ROWS, GAINS[name], R_r.ravel(), R.ravel(), W, W_r, rate)
         force, s = plain(name, R_r, R, W, W_r, rate)
         np.testing.assert_allclose(np.array(found["force"], float), force, rtol=1e-10, atol=1e-11)
         np.testing.assert_allclose(np.array(found["s"], float), s, rtol=1e-10, atol=1e-12)
@@ -66,8 +67,11 @@ def test_wheels_and_a_known_torque(name: str) -> None:
     rng = np.random.default_rng(4)
     R_r, R = Rotation.random(2, random_state=1).as_matrix()
     W, W_r, rate, wheels, torque = rng.normal(size=(5, 3))
-    at = (name, J, GAINS[name], R_r.ravel(), R.ravel(), W, W_r, rate)
-    bare, whole = tracking(*at), tracking(*at, wheels, torque)
+    at: list[Any] = [R_r.ravel(), R.ravel(), W, W_r, rate]
+    bare, whole = (
+        tracking(name, ROWS, GAINS[name], *at, *extras)
+        for extras in ((STILL, STILL), (wheels, torque))
+    )
     seen = R.T @ R_r @ W_r
     more = hat(seen) @ wheels if name == "pd_plus" else -hat(wheels) @ W
     change = np.array(whole["force"], float) - np.array(bare["force"], float)
@@ -90,7 +94,7 @@ STILL = (0, 0, 0)
 
 
 def error(name: str, g: Any, *, flip: bool = False) -> Any:
-    return tracking(name, J, GAINS[name], ONE, g, STILL, STILL, STILL, flip=flip)["nu_u"]
+    return tracking(name, ROWS, GAINS[name], ONE, g, STILL, STILL, STILL, flip=flip)["nu_u"]
 
 
 @pytest.mark.parametrize("angle", ["0", "1e-300", "1e-8", "1", "3.14", "pi - 1e-30"])
@@ -114,4 +118,4 @@ def test_at_pi_pd_plus_takes_the_side_of_the_conventions() -> None:
 
 def test_another_controller_is_none_of_these() -> None:
     with pytest.raises(KeyError):
-        tracking("gsmc", J, {"lambda": 1, "k_s": 1}, ONE, ONE, STILL, STILL, STILL)
+        tracking("gsmc", ROWS, {"lambda": 1, "k_s": 1}, ONE, ONE, STILL, STILL, STILL)
