@@ -189,13 +189,13 @@ def verify(
     from derive.verify.plant import Plant
     from derive.verify.run import run
 
-    gains, own = dict(vehicle.gains), vehicle.own
+    own = vehicle.own
     judged = Plant(
         vehicle.group,
         vehicle.law,
         vehicle.inertia,
-        gains["lambda"],
-        gains["k_s"],
+        tuple(value for _, value in vehicle.gains),
+        vehicle.controller,
         own=own.basis if own else None,
         options=vehicle.options,
     )
@@ -204,7 +204,6 @@ def verify(
         vehicle.name,
         files,
         judged,
-        controller=vehicle.controller,
         each=each,
         seed=seed,
         with_mutants=with_mutants,

@@ -4,13 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from derive.control.baseline import lsf, lsf_printed, pd_plus
 from derive.control.kinematic import KinematicLaw
 from derive.control.mechanics import definiteness, plant, residual
 from derive.control.sliding import reaching, tracking
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation
 
-WRITERS = {"gsmc": (tracking, reaching), "reaching": (reaching,)}
+WRITERS = {
+    "gsmc": (tracking, reaching),
+    "reaching": (reaching,),
+    "lsf_printed": (lsf_printed,),
+    "lsf": (lsf,),
+    "pd_plus": (pd_plus,),
+}
 """Controller -> its laws; the first is what `control` guards."""
 
 
