@@ -118,7 +118,9 @@ def fly(
     )
     rate = np.array(RATE)[:, None]
     setting = Setting(FLOWN, longest=LONGEST)
-    return recorded(Loop(craft, backend, steady(reference, rate), setting, runs).moments(), progress)
+    return recorded(
+        Loop(craft, backend, steady(reference, rate), setting, runs).moments(), progress
+    )
 
 
 def differences(crafts: Sequence[Craft]) -> list[str]:
