@@ -20,6 +20,7 @@ LAYER = {
     "derive.bundle": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
     "derive.flight": "derive.pipeline",
+    "derive.comparison": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_theory": "derive.cli",
     "derive.terminal": "derive.cli",
@@ -49,7 +50,7 @@ OWN = {
     ),
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
-        "derive.flight",
+        *("derive.flight", "derive.comparison"),
         "derive.vehicle",
     ),
 }
@@ -78,6 +79,9 @@ THIRD_PARTY = {
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),
     "derive.simulate": ("numpy", "scipy"),
+    "derive.simulate.picture": ("matplotlib", "numpy"),
+    "derive.simulate.sphere": ("matplotlib", "numpy"),
+    "derive.simulate.style": ("matplotlib",),
     "derive.cli": ("click",),
 }
 """What of others a module or layer may import; the longest name that fits decides."""

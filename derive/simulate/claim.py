@@ -25,7 +25,7 @@ from derive.simulate.judge import (
     order,
     search,
 )
-from derive.simulate.reading import energy, gamma, size, swings, total, until
+from derive.simulate.reading import energy, gamma, settling, size, swings, total, until
 from derive.simulate.scenario import SECONDS
 from derive.simulate.space import Array
 
@@ -96,11 +96,14 @@ def _cheapest(flights: Flights, *, is_least: bool) -> tuple[bool, str, tuple[flo
 
 
 def _reaches(flights: Flights) -> tuple[bool, str, tuple[float, ...]]:
-    far = size(until(flights["gsmc"], SECONDS))
-    share = float(far[-1] / far[0])
-    falls = bool((np.diff(far) <= REACHED * far[0]).all())
-    told = f"|s_1| {'falls' if falls else 'rises too'}, to {share:.1e} of its start at 30 s"
-    return falls and share <= REACHED, told, (share,)
+    own = until(flights["gsmc"], SECONDS)
+    far = size(own) / size(own)[0]
+    falls = bool((np.diff(far) <= REACHED).all())
+    when = settling(own, far, REACHED)
+    if when is None:
+        return False, f"|s_1| does not stay below {REACHED:g} of its start", ()
+    how = "falls" if falls else "rises too before it falls"
+    return falls, f"|s_1| {how} to {REACHED:g} of its start in {when:.2f} s", (when,)
 
 
 def _oscillates(flights: Flights) -> tuple[bool, str, tuple[float, ...]]:
@@ -109,14 +112,20 @@ def _oscillates(flights: Flights) -> tuple[bool, str, tuple[float, ...]]:
     told = "sign changes of the components: " + ", ".join(
         f"{'/'.join(map(str, count[name]))} ({name})" for name in THREE
     )
-    return least >= SWINGS and least > others, told, tuple(float(x) for x in sum(count.values(), []))
+    return (
+        least >= SWINGS and least > others,
+        told,
+        tuple(float(x) for name in THREE for x in count[name]),
+    )
 
 
 def _follows(flights: Flights) -> tuple[bool, str, tuple[float, ...]]:
     own = until(flights["pd_plus"], SECONDS)
     share = float(size(own)[own.t >= LAG].max() / size(own)[0])
     sums = tuple(total(until(flights[name], SECONDS)) for name in THREE)
-    told = f"∫|s| {_listed(sums, '.3f', 'rad')}; |s_3| below {share:.1%} of its start after {LAG:g} s"
+    told = (
+        f"∫|s| {_listed(sums, '.3f', 'rad')}; |s_3| below {share:.1%} of its start after {LAG:g} s"
+    )
     return share <= CLOSE and sums[2] == min(sums), told, (*sums, share)
 
 
@@ -130,7 +139,7 @@ def _gaps(times: Array) -> Array:
 
 
 def _apart(times: Array) -> Array:
-    return (times[1] - times[0])[None, :]
+    return np.asarray(times[1] - times[0])[None, :]
 
 
 _BEFORE = "before scenario 1"
