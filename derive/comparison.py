@@ -18,16 +18,12 @@ from derive.simulate.reading import until
 from derive.simulate.scenario import ENTRANTS, SCENARIOS, SECONDS, Entrant
 from derive.simulate.sphere import pointing
 from derive.simulate.style import PlotterMissing, need, written
-from derive.vehicle import InputError, Vehicle
+from derive.vehicle import CONTROLLERS, InputError, Vehicle
 
 Progress = Callable[[str], None]
 
-EMITTED = {
-    "numpy": (("f64",), ("numpy",)),
-    "f64": (("f64",), ("c99",)),
-    "f32": (("f32",), ("c99",)),
-}
-"""Backend -> the scalars and targets that have to be emitted for it."""
+SCALARS = {"numpy": ("f64",), "f64": ("f64",), "f32": ("f32",)}
+"""Backend -> what has to be emitted for it."""
 
 REFUSED = 16  # the first status of a command that is zero
 AXIS = 3  # e_1 starts where the reference has it: R_e(0) turns about it
@@ -130,16 +126,24 @@ def _flown(show: Progress, title: str, t: float) -> None:
 def entered(vehicle: Vehicle, entrant: Entrant, backend: str) -> Vehicle:
     """The vehicle under a controller: with its own gains where it has those, or the paper's."""
     own = tuple(name for name, _ in vehicle.gains) == tuple(name for name, _ in entrant.gains)
-    scalars, targets = EMITTED[backend]
     return replace(
         vehicle,
         name=entrant.controller,
         controller=entrant.controller,
         law=vehicle.law if own else entrant.law,
-        gains=vehicle.gains if own else tuple((n, Fraction(x)) for n, x in entrant.gains),
-        scalars=scalars,
-        targets=targets,
+        gains=vehicle.gains if own else _gains(vehicle, entrant),
+        scalars=SCALARS[backend],
+        targets=("c99", "numpy"),
     )
+
+
+def _gains(vehicle: Vehicle, entrant: Entrant) -> tuple[tuple[str, Fraction], ...]:
+    """The paper's; those of a force grow with the body, so that they are as quick on any."""
+    own = sum((row[i] for i, row in enumerate(vehicle.inertia)), Fraction())
+    share = own / sum(map(Fraction, scenario.MOMENTS))
+    units = {gain.name: gain.unit for gain in CONTROLLERS[entrant.controller].gains}
+    return tuple((name, Fraction(value) * (share if units[name].startswith("N m") else 1))
+                 for name, value in entrant.gains)  # fmt: skip
 
 
 def documents(found: Comparison, show: Progress) -> dict[str, bytes]:

@@ -19,9 +19,11 @@ LAYER = {
     "derive.folder": "derive.pipeline",
     "derive.bundle": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
+    "derive.demand": "derive.pipeline",
     "derive.flight": "derive.pipeline",
     "derive.comparison": "derive.pipeline",
     "derive.theory": "derive.pipeline",
+    "derive.cli_loop": "derive.cli",
     "derive.cli_theory": "derive.cli",
     "derive.terminal": "derive.cli",
     "derive.place": "derive.pipeline",
@@ -50,8 +52,7 @@ OWN = {
     ),
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
-        *("derive.flight", "derive.comparison"),
-        "derive.vehicle",
+        *("derive.demand", "derive.flight", "derive.comparison", "derive.vehicle"),
     ),
 }
 """What of ours each layer may import besides itself. A layer that is not here is refused."""

@@ -34,6 +34,14 @@ def advance(group: Group) -> Derivation:
     return d.pruned()
 
 
+def compose(group: Group) -> Derivation:
+    """(g, g_e) -> g g_e, stored numbers (k, 1): the state that is off g by the error g_e."""
+    d = Derivation("compose", "g g_e", "eq. (velErr)")
+    g, g_e = d.take(_configuration("g", group)), d.take(_configuration("g_e", group))
+    d.give(_configuration("whole", group), d.let("whole", _composed(group, g, g_e), "1", "g g_e"))
+    return d.pruned()
+
+
 def chart_rate(group: Group) -> Derivation:
     """(x, nu) -> x', (n, 1), where g0 exp(hat(x)) moves with the body velocity nu."""
     d = Derivation("chart_rate", "rate of x in g0 exp(hat(x))", "")
@@ -81,6 +89,14 @@ def _advanced(let: Let, group: Group, g: Matrix, x: Matrix) -> Matrix:
             *(_advanced(marked(let, mark), one, at, by) for one, mark, at, by in rows)
         )
     return group.store(group.embed(g) * _exp(let, group.hat(x)))
+
+
+def _composed(group: Group, g: Matrix, g_e: Matrix) -> Matrix:
+    """Stored numbers (k, 1); factor by factor on a product."""
+    if group.factors:
+        pieces = zip(group.factors, group.split_element(g), group.split_element(g_e), strict=True)
+        return Matrix.vstack(*(_composed(*one) for one in pieces))
+    return group.store(group.embed(g) * group.embed(g_e))
 
 
 def _exp(let: Let, X: Matrix) -> Matrix:

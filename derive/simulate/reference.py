@@ -27,6 +27,31 @@ class Reference:
     is_at_rest: bool = False
 
 
+@dataclass(frozen=True)
+class Course:
+    """A reference as plain numbers, which travel to another process; equal ones fly alike.
+
+    kind:  of KINDS, where what its rows hold is said
+    start: stored numbers of g_r(0), (k,)
+    rows:  the numbers of the kind
+    """
+
+    kind: str
+    start: tuple[float, ...]
+    rows: tuple[tuple[float, ...], ...]
+
+    def reference(self) -> Reference:
+        """The motion; raises KeyError for an unknown kind."""
+        start = np.array(self.start, dtype=np.float64)[:, None]
+        return KINDS[self.kind](start, [np.array(row, dtype=np.float64) for row in self.rows])
+
+
+def rest(start: Array, dim: int) -> Reference:
+    """At the identity `start`, without moving."""
+    still = np.zeros((dim, 1))
+    return Reference(start, lambda t: (still, still), is_at_rest=True)
+
+
 def steady(start: Array, nu_r: Array) -> Reference:
     """A constant body velocity nu_r (n, 1)."""
     still = np.zeros_like(nu_r)
@@ -62,7 +87,7 @@ def tabled(start: Array, times: Array, nu_r: Array, nu_r_dot: Array) -> Referenc
         i = bisect_right(knots, t) - 1
         long = knots[i + 1] - knots[i]
         p = (t - knots[i]) / long
-        value, rate = _cubic(p)
+        value, rate = cubic(p)
         ends = np.stack([nu_r[i], long * nu_r_dot[i], nu_r[i + 1], long * nu_r_dot[i + 1]])
         velocity = sum(w * end for w, end in zip(value, ends, strict=True))
         gain = sum(w * end for w, end in zip(rate, ends, strict=True))
@@ -75,9 +100,25 @@ def _held(velocity: Array) -> tuple[Array, Array]:
     return velocity[:, None], np.zeros((len(velocity), 1))
 
 
-def _cubic(p: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def cubic(p: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Hermite's four cubics at p in [0, 1], and their rates by p."""
     q = 1 - p
     value = ((1 + 2 * p) * q * q, p * q * q, p * p * (3 - 2 * p), -p * p * q)
     rate = (-6 * p * q, (1 - 3 * p) * q, 6 * p * q, p * (3 * p - 2))
     return value, rate
+
+
+def _tabled(start: Array, rows: list[Array]) -> Reference:
+    table = np.stack(rows)
+    half = (table.shape[1] + 1) // 2
+    return tabled(start, table[:, 0], table[:, 1:half], table[:, half:])
+
+
+KINDS: dict[str, Callable[[Array, list[Array]], Reference]] = {
+    "rest": lambda start, rows: rest(start, len(rows[0])),
+    "steady": lambda start, rows: steady(start, rows[0][:, None]),
+    "slew": lambda start, rows: slew(start, rows[0][:, None], float(rows[1][0])),
+    "table": _tabled,
+}
+"""Rows of a course. rest: n zeros; steady: nu_r; slew: `along`, then (seconds,); table: one row
+(t, nu_r, nu_r_dot) per time."""

@@ -7,7 +7,7 @@ result for one loop does not depend on how many others stand beside it.
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -34,6 +34,10 @@ class Space:
         residual = mechanics.residual(group)
         self._residual: Function | None = compiled(residual) if residual.outputs else None
 
+    @cached_property
+    def _compose(self) -> Function:
+        return compiled(motion.compose(self.group))
+
     @property
     def identity(self) -> Array:
         """The stored numbers of e, (k, 1)."""
@@ -56,6 +60,10 @@ class Space:
         for _ in range(min(parts, 64)):
             g = self.advance(g, x / min(parts, 64))
         return g
+
+    def compose(self, g: Array, g_e: Array) -> Array:
+        """g g_e, (k, N)."""
+        return self._first(self._compose, g=g, g_e=g_e)
 
     def chart_rate(self, x: Array, nu: Array) -> Array:
         """x', (n, N), where g0 exp(hat(x)) moves with the body velocity nu (n, N)."""

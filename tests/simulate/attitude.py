@@ -104,7 +104,7 @@ LAWS: dict[str, Law] = {
 
 
 def flown(law: Law, turns: float, instants: Sequence[float]) -> tuple[Array, Array, Array]:
-    """R (T, 3, 3), Omega (T, 3) and the energy (T,) at those instants, from R_312(0, turns pi, 0)."""
+    """R (T, 3, 3), Omega (T, 3), energy (T,) at those instants from R_312(0, turns pi, 0)."""
 
     def rates(t: float, y: Any) -> Array:
         R, Omega = y[:9].reshape(3, 3), y[9:12]

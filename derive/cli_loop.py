@@ -1,0 +1,155 @@
+"""What the commands that close the loop share: their options, and numbers within bounds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+if TYPE_CHECKING:
+    Kind = click.ParamType[Any]
+else:
+    Kind = click.ParamType  # takes no argument before click 8.2
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+LARGEST_SEED = 2**63 - 1
+
+
+class Number(Kind):
+    """A number from `least` to `most`; InputError for any other, for NaN and for words.
+
+    is_open: `least` itself is refused
+    """
+
+    name = "number"
+
+    def __init__(self, least: float, most: float, unit: str = "", is_open: bool = False) -> None:
+        self.least, self.most, self.is_open = least, most, is_open
+        self.unit = f" {unit}" if unit else ""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float | tuple[float, ...]:
+        """The value as a float."""
+        return self._one(value, param, ctx)
+
+    def _one(self, value: Any, param: Any, ctx: Any) -> float:
+        found = _number(value)
+        above = found > self.least if self.is_open else found >= self.least
+        if above and found <= self.most:
+            return found
+        bound = f"above {self.least:g}" if self.is_open else f"from {self.least:g}"
+        raise refused(param, ctx, f"a number {bound} to {self.most:g}{self.unit}", str(value))
+
+
+class Numbers(Number):
+    """Such numbers with commas between them; one stands for every coordinate."""
+
+    name = "numbers"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: Any) -> tuple[float, ...]:
+        """The values as floats."""
+        if isinstance(value, tuple):
+            return value
+        return tuple(self._one(word, param, ctx) for word in str(value).split(","))
+
+
+class Count(Kind):
+    """A whole number from `least` to `most`; InputError for any other."""
+
+    name = "count"
+
+    def __init__(self, least: int, most: int) -> None:
+        self.least, self.most = least, most
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """The value as an int."""
+        word = str(value).strip()
+        digits = word.removeprefix("-")
+        if digits.isascii() and digits.isdigit() and len(digits) < 25:
+            found = int(word)
+            if self.least <= found <= self.most:
+                return found
+        raise refused(param, ctx, f"a whole number from {self.least} to {self.most}", word)
+
+
+def refused(param: Any, ctx: Any, expected: str, found: str) -> Exception:
+    """The InputError of an option's value."""
+    from derive.vehicle import InputError
+
+    place = ctx.command_path if ctx else "command line"
+    option = max(param.opts, key=len) if param else ""
+    fallback = None if param is None else param.default
+    plain = isinstance(fallback, int | float | str) and not isinstance(fallback, bool)
+    remedy = f"give one, or leave {option} out" + (f" for {fallback}" if plain else "")
+    return InputError(place, option, expected, found or "nothing", remedy)
+
+
+def _number(value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return math.nan
+
+
+duration_option = click.option(
+    "--duration", default=30.0, show_default=True, type=Number(0.0, 1e6, "s", is_open=True),
+    help="Seconds to fly.",
+)  # fmt: skip
+seed_option = click.option(
+    "--seed", default=0, show_default=True, type=Count(0, LARGEST_SEED),
+    help="What all random numbers are made from.",
+)  # fmt: skip
+
+_SHARED = (
+    click.option(
+        "--backend", default="f64", show_default=True, metavar="f64|f32|numpy",
+        help="Which emitted controller flies: C in double or single precision, or numpy.",
+    ),
+    click.option(
+        "--box", default=1.0, show_default=True, type=Number(0.0, 1e6, "rad or m"),
+        help="Initial error, +- per coordinate, where the group is not compact.",
+    ),
+    click.option(
+        "--speed", default=0.5, show_default=True, type=Number(0.0, 1e6, "rad/s or m/s"),
+        help="Initial velocity error, +- per coordinate.",
+    ),
+    click.option(
+        "--inertia-error", default=0.0, show_default=True, type=Number(0.0, 0.9),
+        help="Of the plant against the controller, relative, +-.",
+    ),
+    click.option(
+        "--disturbance", default=0.0, show_default=True, type=Number(0.0, 1e9, "N m or N"),
+        help="Constant force, +- per coordinate.",
+    ),
+    click.option(
+        "--wave", default=0.0, show_default=True, type=Number(0.0, 1e9, "N m or N"),
+        help="Amplitudes of a periodic force, +- per coordinate.",
+    ),
+    click.option(
+        "--hertz", default=0.1, show_default=True, type=Number(0.0, 1e6, "Hz"),
+        help="Frequency of the periodic force.",
+    ),
+    click.option(
+        "--noise-g", default=0.0, show_default=True, type=Number(0.0, 1e3, "rad or m"),
+        help="Standard deviation of a measured configuration.",
+    ),
+    click.option(
+        "--noise-nu", default=0.0, show_default=True, type=Number(0.0, 1e6, "rad/s or m/s"),
+        help="Standard deviation of a measured velocity.",
+    ),
+    click.option(
+        "--force-limit", type=Numbers(0.0, 1e9, "N m or N", is_open=True), metavar="F[,F...]",
+        help="What the actuators can give; one for all coordinates, or one for each.",
+    ),
+)  # fmt: skip
+
+
+def loop_options(command: Command) -> Command:
+    """The options on the plant, the start and the measurements, added to a command."""
+    for option in reversed(_SHARED):
+        command = option(command)
+    return command

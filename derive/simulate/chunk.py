@@ -1,0 +1,103 @@
+"""One chunk of a sweep: runs flown together, and the rows they leave. Imported by workers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from derive.native.compile import CompileError, CompilerMissing
+from derive.simulate.craft import Craft
+from derive.simulate.draw import Spread, drawn, initial_angles, rate_of, seed_of
+from derive.simulate.loop import Loop
+from derive.simulate.outcome import Watch
+from derive.simulate.reference import Course, Reference
+from derive.simulate.runs import Runs, Setting
+from derive.simulate.space import Array, space_of
+
+Rows = dict[str, Array]
+"""Columns (N,) by name, in the order of the result."""
+
+
+class CannotFly(Exception):
+    """A worker has no compiler, or its compiler refuses the emitted code."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All that a run depends on but its number: plain data, for another process or machine.
+
+    setting: its rate is replaced by the drawn one
+    settle:  bound on the height and on |nu_e| below which a run is settled
+    root:    the seed that the runs' seeds come from
+    """
+
+    craft: Craft
+    backend: str
+    course: Course
+    setting: Setting
+    spread: Spread
+    settle: float
+    root: int
+
+
+def lean(craft: Craft) -> Craft:
+    """The craft without the files that no backend runs."""
+    used = tuple(
+        one for one in craft.files if one[0].startswith(("c/include/", "c/src/", "numpy/"))
+    )
+    return replace(craft, files=used)
+
+
+def fly(plan: Plan, first: int, last: int) -> Rows:
+    """Runs first <= i < last, in their order; the same whatever flies beside them."""
+    return fly_seeds(plan, [seed_of(plan.root, run) for run in range(first, last)], first)
+
+
+def fly_seeds(plan: Plan, seeds: Sequence[int], first: int = 0) -> Rows:
+    """The runs of these seeds, numbered from `first`. Raises CannotFly."""
+    rates = [rate_of(plan.spread, seed) for seed in seeds]
+    whole: Rows = {}
+    for rate in dict.fromkeys(rates):
+        places = np.array([i for i, one in enumerate(rates) if one == rate])
+        with np.errstate(all="ignore"):  # a run may diverge, and its row says so
+            part = _flown(plan, rate, [seeds[i] for i in places])
+        for name, values in part.items():
+            whole.setdefault(name, np.zeros(len(seeds), values.dtype))[places] = values
+    return {"run": np.arange(first, first + len(seeds)), **whole}
+
+
+def _flown(plan: Plan, rate: float | None, seeds: Sequence[int]) -> Rows:
+    """Runs of one rate."""
+    reference, setting = plan.course.reference(), replace(plan.setting, rate=rate)
+    runs = drawn(plan.craft, reference, plan.spread, seeds)
+    watch = Watch(space_of(plan.craft), plan.settle, setting.period, len(seeds))
+    for moment in _loop(plan, reference, setting, runs).moments():
+        watch.see(moment)
+    return {**_start(plan, rate, runs, watch), **watch.outcomes()}
+
+
+def _loop(plan: Plan, reference: Reference, setting: Setting, runs: Runs) -> Loop:
+    try:
+        return Loop(plan.craft, plan.backend, reference, setting, runs)
+    except (CompilerMissing, CompileError) as fault:
+        raise CannotFly(str(fault)) from None
+
+
+def _start(plan: Plan, rate: float | None, runs: Runs, watch: Watch) -> Rows:
+    """What was drawn, a column each."""
+    height, speed = watch.start()
+    n = runs.nu.shape[0]
+    diagonal = np.cumsum([0, *range(n, 1, -1)])  # of an upper triangle by rows
+    grown = runs.inertia[diagonal] / np.array(plan.craft.inertia)[diagonal, None]
+    waves = (("sine", runs.sine), ("cosine", runs.cosine)) if plan.spread.wave else ()
+    blocks = (("inertia", grown), ("disturbance", runs.disturbance), *waves)
+    return {
+        "seed": np.array(runs.seeds),
+        "rate": np.full(len(runs), np.nan if rate is None else rate),
+        "initial_angle": initial_angles(plan.craft, runs.seeds),
+        "initial_height": height,
+        "initial_rate": speed,
+        **{f"{name}_{i}": row for name, rows in blocks for i, row in enumerate(rows)},
+    }
