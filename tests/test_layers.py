@@ -21,6 +21,7 @@ LAYER = {
     "derive.explanation": "derive.pipeline",
     "derive.demand": "derive.pipeline",
     "derive.flight": "derive.pipeline",
+    "derive.comparison": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_loop": "derive.cli",
     "derive.cli_theory": "derive.cli",
@@ -51,7 +52,7 @@ OWN = {
     ),
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
-        *("derive.demand", "derive.flight", "derive.vehicle"),
+        *("derive.demand", "derive.flight", "derive.comparison", "derive.vehicle"),
     ),
 }
 """What of ours each layer may import besides itself. A layer that is not here is refused."""
@@ -79,6 +80,9 @@ THIRD_PARTY = {
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),
     "derive.simulate": ("numpy", "scipy"),
+    "derive.simulate.picture": ("matplotlib", "numpy"),
+    "derive.simulate.sphere": ("matplotlib", "numpy"),
+    "derive.simulate.style": ("matplotlib",),
     "derive.cli": ("click",),
 }
 """What of others a module or layer may import; the longest name that fits decides."""
