@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from derive.native.compile import CompileError, CompilerMissing
 from derive.simulate.craft import Craft
@@ -14,9 +16,9 @@ from derive.simulate.loop import Loop
 from derive.simulate.outcome import Watch
 from derive.simulate.reference import Course, Reference
 from derive.simulate.runs import Runs, Setting
-from derive.simulate.space import Array, space_of
+from derive.simulate.space import space_of
 
-Rows = dict[str, Array]
+Rows = dict[str, NDArray[Any]]
 """Columns (N,) by name, in the order of the result."""
 
 

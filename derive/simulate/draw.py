@@ -64,8 +64,11 @@ def draw(seed: int, dim: int, leaves: int) -> Draw:
     """The numbers of a seed, for n coordinates and so many factors."""
     source = np.random.default_rng(seed)
     rate, *rest = source.random(1 + 6 * dim).tolist()
-    spans = [[2 * x - 1 for x in rest[i * dim : (i + 1) * dim]] for i in range(6)]
-    return Draw(rate, *spans, source.standard_normal(4 * leaves).tolist())
+    place, speed, inertia, force, sine, cosine = (
+        [2 * x - 1 for x in rest[i * dim : (i + 1) * dim]] for i in range(6)
+    )
+    normal = source.standard_normal(4 * leaves).tolist()
+    return Draw(rate, place, speed, inertia, force, sine, cosine, normal)
 
 
 def seed_of(root: int, run: int) -> int:
