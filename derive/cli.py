@@ -15,6 +15,7 @@ from pathlib import Path
 import click
 
 from derive import __version__
+from derive.cli_simulate import simulate
 from derive.cli_theory import laws, prove
 from derive.terminal import (
     FINDING,
@@ -188,6 +189,7 @@ def explain(
 
 commands.add_command(prove)
 commands.add_command(laws)
+commands.add_command(simulate)
 
 
 def main() -> None:

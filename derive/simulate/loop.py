@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import NamedTuple
 
@@ -71,6 +71,20 @@ class Loop:
             if instant < setting.periods:
                 body = self._sampled(t, body, force) if setting.rate else self._smooth(t, body)
 
+    def coasted(self) -> Iterator[Body]:
+        """The same plants from the same states with no force at all, instant by instant."""
+        body, period, parts = self._first(), self.setting.period, self.setting.parts
+        free = np.zeros_like(body.nu)
+        still = replace(self.runs, disturbance=free, sine=free, cosine=free, external=free)
+        method = KUTTA if self.setting.rate else BUTCHER
+        yield body
+        for instant in range(self.setting.periods):
+            for part in range(parts):
+                h = period / parts
+                t = instant * period + part * h
+                body = self._moved(method, t, h, body, lambda _, __: free, still)
+            yield body
+
     def command(self, t: float, body: Body, instant: int | None = None) -> Command:
         """What the controller says of a state, measured with the noise of that instant."""
         g, nu = body.g, body.nu
@@ -79,7 +93,7 @@ class Loop:
             g = self.space.advance(g, self.setting.noise_g * drawn[:n])
             nu = nu + self.setting.noise_nu * drawn[n:]
         nu_r, nu_r_dot = self.reference.at(t)
-        given: dict[str, Array] = {"g": g, "nu": nu, **self._extras(body.momentum)}
+        given: dict[str, Array] = {"g": g, "nu": nu, **self._extras(body.momentum, self.runs)}
         if self.craft.controller != "reaching":
             given |= {"g_r": body.g_r, "nu_r": nu_r, "nu_r_dot": nu_r_dot}
         return self.pilot.run(given)
@@ -126,15 +140,17 @@ class Loop:
         h: float,
         body: Body,
         answer: Callable[[float, Callable[[], Body]], Array],
+        runs: Runs | None = None,
     ) -> Body:
         """One step in the charts g exp(hat(x)) and g_r exp(hat(x_r)) of its start."""
+        met = runs or self.runs
 
         def rates(at: float, state: State) -> State:
             x, nu, x_r, momentum, _ = state
             force = answer(at, partial(self._lifted, body, state))
             nu_r, _ = self.reference.at(at)
-            pushed = force + self._disturbance(at)
-            moved = self.space.acceleration(self.runs.inertia, nu, pushed, **self._extras(momentum))
+            pushed = force + _disturbance(met, self.setting.hertz, at)
+            moved = self.space.acceleration(met.inertia, nu, pushed, **self._extras(momentum, met))
             turned = self.space.chart_rate(x, nu), self.space.chart_rate(x_r, nu_r)
             return turned[0], moved, turned[1], -force, _square(force)
 
@@ -147,14 +163,15 @@ class Loop:
         advance = self.space.advance
         return Body(advance(body.g, x), nu, advance(body.g_r, x_r), momentum, effort)
 
-    def _disturbance(self, t: float) -> Array:
-        turn = 2 * math.pi * self.setting.hertz * t
-        runs = self.runs
-        return runs.disturbance + math.sin(turn) * runs.sine + math.cos(turn) * runs.cosine
-
-    def _extras(self, momentum: Array) -> Mapping[str, Array]:
-        known = {"momentum": momentum, "external": self.runs.external}
+    def _extras(self, momentum: Array, runs: Runs) -> Mapping[str, Array]:
+        known = {"momentum": momentum, "external": runs.external}
         return {name: known[name] for name in self.space.options}
+
+
+def _disturbance(runs: Runs, hertz: float, t: float) -> Array:
+    """The force that nobody told the controller of, (n, N)."""
+    turn = 2 * math.pi * hertz * t
+    return runs.disturbance + math.sin(turn) * runs.sine + math.cos(turn) * runs.cosine
 
 
 def _square(x: Array) -> Array:

@@ -87,7 +87,7 @@ def tabled(start: Array, times: Array, nu_r: Array, nu_r_dot: Array) -> Referenc
         i = bisect_right(knots, t) - 1
         long = knots[i + 1] - knots[i]
         p = (t - knots[i]) / long
-        value, rate = _cubic(p)
+        value, rate = cubic(p)
         ends = np.stack([nu_r[i], long * nu_r_dot[i], nu_r[i + 1], long * nu_r_dot[i + 1]])
         velocity = sum(w * end for w, end in zip(value, ends, strict=True))
         gain = sum(w * end for w, end in zip(rate, ends, strict=True))
@@ -100,7 +100,7 @@ def _held(velocity: Array) -> tuple[Array, Array]:
     return velocity[:, None], np.zeros((len(velocity), 1))
 
 
-def _cubic(p: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def cubic(p: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Hermite's four cubics at p in [0, 1], and their rates by p."""
     q = 1 - p
     value = ((1 + 2 * p) * q * q, p * q * q, p * p * (3 - 2 * p), -p * p * q)

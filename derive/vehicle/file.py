@@ -17,6 +17,7 @@ from derive.vehicle.check import (
     check_symmetric,
     check_triangle,
 )
+from derive.vehicle.experiment import Experiment, experiment
 from derive.vehicle.group import OwnGroup, law_of, spelled
 from derive.vehicle.key import EMIT_KEYS, HOMES, OPTION_KEYS, TOP_KEYS
 from derive.vehicle.lookup import Facts, check_law, look_up
@@ -52,6 +53,7 @@ class Vehicle:
     own:         the group, where the file describes it; `group` is then its name
     options:     those of OPTIONS that are asked for, sorted
     is_in_fluid: a fluid has a part in the inertia, which then need not be a rigid body's
+    experiment:  what a closed loop of it is flown with; nothing emitted depends on it
     """
 
     name: str
@@ -66,6 +68,7 @@ class Vehicle:
     own: OwnGroup | None = None
     options: tuple[str, ...] = ()
     is_in_fluid: bool = False
+    experiment: Experiment = field(default_factory=Experiment)
 
     @property
     def pattern(self) -> tuple[bool, ...]:
@@ -101,6 +104,7 @@ def load(path: Path) -> Vehicle:
         own=own,
         options=tuple(option for option in OPTIONS if option in options),
         is_in_fluid=is_in_fluid,
+        experiment=experiment(top, len(inertia)),
     )
 
 

@@ -4,11 +4,16 @@ from derive.control.table import CONTROLLERS
 
 TOP_KEYS = (
     *("schema", "name", "group", "law", "controller", "inertia", "body", "options"),
-    *("gains", "emit"),
+    *("gains", "emit", "reference", "simulate"),
 )
 GROUP_KEYS = ("name", "basis", "units", "law")
 BODY_KEYS = ("mass", "center", "moments", "added_mass")
 OPTION_KEYS = ("momentum", "external", "added_mass")
+REFERENCE_KEYS = ("kind", "g_r", "nu_r", "along", "seconds", "file")
+SIMULATE_KEYS = (
+    *("seconds", "rate", "step", "turn", "nu", "momentum", "external", "disturbance", "wave"),
+    *("hertz", "noise_g", "noise_nu", "force_limit", "inertia_error"),
+)
 EMIT_KEYS = ("scalars", "targets")
 
 # TOML puts every key below [gains] into it, so a key of the top is easily lost there.
@@ -19,5 +24,10 @@ HOMES = {
     "added_mass": "below [body] as a matrix, or below [options] as true",
     **{gain: "below [gains]" for gains in CONTROLLERS.values() for gain in gains},
     **dict.fromkeys(EMIT_KEYS, "below [emit]"),
+    **dict.fromkeys(SIMULATE_KEYS, "below [simulate]"),
+    **dict.fromkeys(REFERENCE_KEYS, "below [reference]"),
+    "seconds": "below [simulate], or below [reference] for a slew",
+    "momentum": "below [options] as true, or below [simulate] as numbers",
+    "external": "below [options] as true, or below [simulate] as numbers",
     **dict.fromkeys(TOP_KEYS, "to the top of the file, above the first [table]"),
 }

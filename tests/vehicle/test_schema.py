@@ -11,6 +11,7 @@ from derive.control.table import CONTROLLERS
 from derive.lie import basis
 from derive.vehicle import body as vehicle_body
 from derive.vehicle import check as vehicle_check
+from derive.vehicle import experiment as vehicle_experiment
 from derive.vehicle import file as vehicle
 from derive.vehicle import group as vehicle_group
 from derive.vehicle import key as vehicle_key
@@ -26,6 +27,8 @@ TABLES = {
     "": (SCHEMA, vehicle_key.TOP_KEYS),
     "emit": (KEYS["emit"], vehicle_key.EMIT_KEYS),
     "options": (KEYS["options"], vehicle_key.OPTION_KEYS),
+    "reference": (KEYS["reference"], vehicle_key.REFERENCE_KEYS),
+    "simulate": (KEYS["simulate"], vehicle_key.SIMULATE_KEYS),
     "body": (SCHEMA["$defs"]["body"], vehicle_key.BODY_KEYS),
     "group": (SCHEMA["$defs"]["group"], vehicle_key.GROUP_KEYS),
 }
@@ -36,6 +39,20 @@ def test_keys_are_those_of_the_reader(table: str) -> None:
     described, known = TABLES[table]
     assert tuple(described["properties"]) == known
     assert not described["additionalProperties"]
+
+
+def test_ranges_of_a_flight_are_those_of_the_reader() -> None:
+    described = KEYS["simulate"]["properties"]
+    for key, (least, most, _) in vehicle_experiment.SCALARS.items():
+        bounds = described[key]["minimum"], described[key]["maximum"]
+        assert bounds == (float(least), float(most))
+    for key in vehicle_experiment.COLUMNS:
+        assert described[key]["$ref"] == "#/$defs/column"
+    reference = KEYS["reference"]["properties"]
+    assert tuple(reference["kind"]["enum"]) == tuple(vehicle_experiment.KINDS)
+    least, most, _ = vehicle_experiment.SCALARS["seconds"]
+    bounds = reference["seconds"]["minimum"], reference["seconds"]["maximum"]
+    assert bounds == (float(least), float(most))
 
 
 def test_version_is_that_of_the_reader() -> None:

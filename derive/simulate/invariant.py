@@ -1,0 +1,108 @@
+"""What no correct run breaks: the decay of W, the group itself, the energy of a free plant."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from derive.simulate.flight import Flight
+from derive.simulate.loop import Loop
+from derive.simulate.space import Array
+
+SHOWN = 8.0  # k_s t up to which W is judged: after that it is at the floor of the integration
+CUT_STEP = 1.0  # of nu_u between two instants: no smooth motion moves it that far
+
+
+@dataclass(frozen=True)
+class Invariant:
+    """One of them in one run; `why` says why it does not apply, and is empty where it does."""
+
+    name: str
+    measured: float
+    limit: float
+    why: str = ""
+
+    @property
+    def ok(self) -> bool:
+        """Whether it holds, or does not apply."""
+        return bool(self.why) or self.measured <= self.limit
+
+    @property
+    def verdict(self) -> str:
+        """In words."""
+        if self.why:
+            return f"not applicable: {self.why}"
+        return "holds" if self.ok else "BROKEN"
+
+
+def invariants(loop: Loop, flight: Flight) -> list[Invariant]:
+    """All of them, for the only loop of a run."""
+    return [_decay(loop, flight), _membership(loop, flight), _freedom(loop)]
+
+
+def _decay(loop: Loop, flight: Flight) -> Invariant:
+    """W = s'Is/2 against W(0) exp(-2 k_s t), which holds for the exact law in continuous time."""
+    name = "W = W(0) exp(-2 k_s t)"
+    why = _why_no_decay(loop, flight)
+    if why:
+        return Invariant(name, 0.0, 1e-8, why)
+    k_s = dict(loop.craft.gains)["k_s"]
+    W = np.einsum("ti,ij,tj->t", flight.s, symmetric(loop.craft.inertia), flight.s) / 2
+    judged = k_s * flight.t <= SHOWN
+    decay = W[judged] / W[0] / np.exp(-2 * k_s * flight.t[judged])
+    return Invariant(name, float(np.abs(decay - 1).max()), 1e-8)
+
+
+def _why_no_decay(loop: Loop, flight: Flight) -> str:
+    setting, runs = loop.setting, loop.runs
+    pushed = any(np.any(one) for one in (runs.disturbance, runs.sine, runs.cosine))
+    reasons = (
+        ("k_s" not in dict(loop.craft.gains), f"{loop.craft.controller} has no such law"),
+        (setting.rate is not None, "the controller is sampled"),
+        (loop.pilot.backend == "f32", "single precision moves s by more than the limit"),
+        (pushed, "a disturbance acts"),
+        (setting.is_noisy, "measurements are noisy"),
+        (np.any(flight.force != flight.asked), "the actuators saturate"),
+        (np.any(flight.status >= 16), "the controller refused a state"),
+        (np.any(runs.inertia != np.array(loop.craft.inertia)[:, None]), "the inertia is in error"),
+        (crossings(flight.nu_u[:, loop.space.turns]) > 0, "the error crosses the cut locus"),
+        (not np.any(flight.s[0]), "s starts at zero"),
+    )
+    return next((why for applies, why in reasons if applies), "")
+
+
+def crossings(nu_u: Array) -> int:
+    """How often the law jumps between two instants, from its values (T, …) there."""
+    if not nu_u.shape[1]:
+        return 0
+    return int((np.abs(np.diff(nu_u, axis=0)).max(1) > CUT_STEP).sum())
+
+
+def _membership(loop: Loop, flight: Flight) -> Invariant:
+    """Residual of g and g_r, relative to the square of their largest entry."""
+    worst = 0.0
+    for g in (flight.g, flight.g_r):
+        size = np.maximum(1.0, np.abs(g).max(1)) ** 2
+        worst = max(worst, float((loop.space.drift(g.T) / size).max()))
+    return Invariant("g and g_r stay on the group", worst, 1e-10)
+
+
+def _freedom(loop: Loop) -> Invariant:
+    """Kinetic energy nu'I nu/2 of the plant without any force, over the same time and steps."""
+    inertia = symmetric(tuple(loop.runs.inertia[:, 0]))
+    energy = [float(nu @ inertia @ nu) / 2 for nu in (body.nu[:, 0] for body in loop.coasted())]
+    if not energy[0]:
+        return Invariant("energy of the free plant", 0.0, 1e-8, "it starts at rest")
+    change = float(np.abs(np.array(energy) / energy[0] - 1).max())
+    return Invariant("energy of the free plant", change, 1e-8)
+
+
+def symmetric(upper: Sequence[float]) -> Array:
+    """Upper triangle by rows, n(n+1)/2 numbers, to the matrix (n, n)."""
+    n = int((np.sqrt(8 * len(upper) + 1) - 1) / 2 + 0.5)
+    matrix = np.zeros((n, n))
+    rows, columns = np.triu_indices(n)
+    matrix[rows, columns] = matrix[columns, rows] = upper
+    return matrix

@@ -1,0 +1,92 @@
+"""One run told: a table for the screen, and everything as JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from derive.control.motion import measure
+from derive.lie.group import Group
+from derive.simulate.flight import Flight
+from derive.simulate.invariant import Invariant
+from derive.simulate.runs import Setting
+
+SCHEMA = 1
+SAMPLES = 1000  # of a trajectory, at most; the first and the last are kept
+THRESHOLDS = (1e-2, 1e-4, 1e-6)
+KEPT = ("t", "g", "nu", "g_r", "nu_r", "height", "nu_e", "s", "force", "energy", "status")
+REFUSED = 16  # the first status whose command is zero
+
+
+def figures(flight: Flight, crossings: int) -> dict[str, float | None]:
+    """What a run comes to, by name; None where it does not settle."""
+    settled = {f"settled to {one:g}": flight.settled(flight.height, one) for one in THRESHOLDS}
+    return {
+        "first height": float(flight.height[0]),
+        "last height": float(flight.height[-1]),
+        "last |nu_e|": float(flight.rate_error()[-1]),
+        **settled,
+        "energy": float(flight.energy[-1]),
+        "peak |force|": float(flight.effort().max()),
+        "peak |nu_e|": float(flight.rate_error().max()),
+        "crossings of the cut": crossings,
+        "refused instants": int((flight.status >= REFUSED).sum()),
+    }
+
+
+def table(
+    head: str, group: Group, found: dict[str, float | None], watched: Sequence[Invariant]
+) -> str:
+    """Both as aligned text."""
+    far = measure(group)
+    units = {"energy": f"{group.force_unit} sqrt(s)", "peak |force|": group.force_unit,
+             "last |nu_e|": group.unit, "peak |nu_e|": group.unit}  # fmt: skip
+    lines = [head, f"  height: {far.name} = {far.doc} [{far.unit}]", ""]
+    for name, value in found.items():
+        unit = units.get(name, "s" if name.startswith("settled") else "")
+        told = "not settled" if value is None else f"{value:.6g} {unit}".rstrip()
+        lines.append(f"  {name:<24} {told}")
+    lines.append("")
+    for one in watched:
+        number = "" if one.why else f"  {one.measured:.2g}, at most {one.limit:g}"
+        lines.append(f"  {one.name:<28} {one.verdict}{number}")
+    return "\n".join(lines)
+
+
+def as_json(
+    facts: dict[str, Any],
+    setting: Setting,
+    flight: Flight,
+    found: dict[str, float | None],
+    watched: Sequence[Invariant],
+) -> str:
+    """The run as one JSON object; an infinite or missing number is null."""
+    rows = np.unique(np.linspace(0, len(flight.t) - 1, min(SAMPLES, len(flight.t))).astype(int))
+    samples = {name: getattr(flight, name)[rows].tolist() for name in KEPT}
+    whole = {
+        "schema": SCHEMA,
+        **facts,
+        "setting": asdict(setting),
+        "figures": found,
+        "invariants": [
+            {"name": one.name, "measured": None if one.why else one.measured, "limit": one.limit,
+             "verdict": one.verdict} for one in watched
+        ],
+        "trajectory": samples,
+    }  # fmt: skip
+    return json.dumps(_plain(whole), indent=1, ensure_ascii=False) + "\n"
+
+
+def _plain(value: Any) -> Any:
+    """JSON has no infinity and no NaN."""
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    return value
