@@ -19,10 +19,13 @@ LAYER = {
     "derive.folder": "derive.pipeline",
     "derive.bundle": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
+    "derive.campaign": "derive.pipeline",
+    "derive.crew": "derive.pipeline",
     "derive.demand": "derive.pipeline",
     "derive.flight": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_loop": "derive.cli",
+    "derive.cli_sweep": "derive.cli",
     "derive.cli_theory": "derive.cli",
     "derive.terminal": "derive.cli",
     "derive.place": "derive.pipeline",
@@ -51,7 +54,7 @@ OWN = {
     ),
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
-        *("derive.demand", "derive.flight", "derive.vehicle"),
+        *("derive.campaign", "derive.crew", "derive.demand", "derive.flight", "derive.vehicle"),
     ),
 }
 """What of ours each layer may import besides itself. A layer that is not here is refused."""
@@ -79,6 +82,9 @@ THIRD_PARTY = {
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),
     "derive.simulate": ("numpy", "scipy"),
+    "derive.simulate.executor": ("distributed",),
+    "derive.simulate.sweep_picture": ("numpy", "matplotlib"),
+    "derive.simulate.table": ("numpy", "pyarrow"),
     "derive.cli": ("click",),
 }
 """What of others a module or layer may import; the longest name that fits decides."""

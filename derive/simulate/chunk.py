@@ -66,7 +66,7 @@ def fly_seeds(plan: Plan, seeds: Sequence[int], first: int = 0) -> Rows:
         if not len(places):
             continue
         with np.errstate(all="ignore"):  # a run may diverge, and its row says so
-            part = _flown(plan, setting, [seeds[i] for i in places])
+            part = _flown(plan, setting, [seeds[int(i)] for i in places])
         for name, values in part.items():
             whole.setdefault(name, np.zeros(len(seeds), values.dtype))[places] = values
     return {"run": np.arange(first, first + len(seeds)), **whole}

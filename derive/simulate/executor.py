@@ -121,7 +121,11 @@ class Cluster:
         from distributed.comm.core import CommClosedError
         from distributed.scheduler import KilledWorker
 
-        self.lost = (KilledWorker, FutureCancelledError, CommClosedError)
+        self.lost: tuple[type[BaseException], ...] = (
+            KilledWorker,
+            FutureCancelledError,
+            CommClosedError,
+        )
         self._client = Client(address, timeout=seconds, set_as_default=False)
         try:
             self._client.wait_for_workers(1, timeout=seconds)
