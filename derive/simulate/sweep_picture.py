@@ -22,7 +22,7 @@ STYLE: Any = {
     "axes.grid": True,
     "grid.alpha": 0.3,
 }
-BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#999999"  # Okabe and Ito
+BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"  # Okabe and Ito
 SIZE, BINS = (6.4, 4.2), 16
 
 
@@ -40,7 +40,7 @@ def _times(rows: Rows, title: str) -> Figure:
     settled = rows["settled"]
     figure = Figure(figsize=SIZE, layout="constrained")
     axes = figure.add_subplot()
-    axes.scatter(far[settled], rows["settling_time"][settled], s=3, color=GREY, linewidths=0,
+    axes.scatter(far[settled], rows["settling_time"][settled], s=5, color=GREY, linewidths=0,
                  alpha=0.5, rasterized=True, label="a run")  # fmt: skip
     middle, low, mid, high = _bands(far[settled], rows["settling_time"][settled])
     axes.fill_between(middle, low, high, color=BLUE, alpha=0.25, linewidth=0, label="5 to 95 %")
