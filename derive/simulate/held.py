@@ -24,7 +24,8 @@ class Held:
 
     def __init__(self, craft: Craft, runs: Runs) -> None:
         self._kernel, self._loops = _kernel(craft), len(runs)
-        self._step, self._apart = self._kernel["held_step"], self._kernel["apart"]
+        names = ("held_step", "apart", "follow")
+        self._step, self._apart, self._follow = (self._kernel[name] for name in names)
         space = space_of(craft)
         self._sizes = (space.size, space.dim, 1)
         shared = (runs.inertia, runs.external, runs.disturbance, runs.sine, runs.cosine)
@@ -45,12 +46,18 @@ class Held:
         given = [self._column(one) for one in (*state, force)]
         found = [np.empty((n, self._loops)) for n in (*self._sizes[:2], self._sizes[1])]
         effort = np.empty(self._loops)
-        weights = np.array([h * w for row in (*KUTTA.rows[1:], KUTTA.weights) for w in row if w])
         phases = np.array(turns)
-        numbers = [self._column(one) for one in (weights, phases)]
+        numbers = [self._column(one) for one in (_weights(h), phases)]
         outputs = [self._column(one) for one in (*found, effort)]
         self._step(self._loops, *numbers, *given, *self._fixed, *outputs)
         return found[0], found[1], found[2], effort
+
+    def follow(self, h: float, nu_r: Sequence[Array], g_r: Array) -> Array:
+        """g_r (k, 1) after h seconds, with the velocities (n, 1) of the four stages."""
+        found = np.empty_like(g_r)
+        given = (_weights(h), np.concatenate(nu_r), g_r, found)
+        self._follow(*(self._column(one) for one in given))
+        return found
 
     def deviation(self, g: Array, nu: Array, g_r: Array, nu_r: Array) -> tuple[Array, ...]:
         """As Space.deviation, of a reference that all loops share."""
@@ -67,6 +74,12 @@ class Held:
 
 
 @cache
+def _weights(h: float) -> Array:
+    """Three weights of the stages before, and four of the step."""
+    return np.array([h * w for row in (*KUTTA.rows[1:], KUTTA.weights) for w in row if w])
+
+
+@cache
 def _kernel(craft: Craft) -> Kernel:
     space = space_of(craft)
     name = f"{craft.name}_held"
@@ -80,7 +93,12 @@ _FOUND = ("g_new", "nu_new", "momentum_new", "effort_new")
 _STEP = ", ".join([*(_POINTER + n for n in _GIVEN), *(f"double *restrict {n}" for n in _FOUND)])
 _APART = ", ".join([*(_POINTER + n for n in ("g", "nu", "g_r", "nu_r")),
                     *(f"double *restrict {n}" for n in ("g_e", "nu_e", "height"))])  # fmt: skip
-_PROTOTYPES = f"void held_step(long rows, {_STEP}); void apart(long rows, {_APART});"
+_FOLLOW = ", ".join(
+    [*(_POINTER + n for n in ("weight", "nu_r", "g_r")), "double *restrict g_r_new"]
+)
+_PROTOTYPES = (
+    f"void held_step(long rows, {_STEP}); void apart(long rows, {_APART}); void follow({_FOLLOW});"
+)
 
 
 def _text(craft: Craft, space: Space) -> str:
@@ -92,9 +110,15 @@ def _text(craft: Craft, space: Space) -> str:
     derived = [motion.advance(group), motion.chart_rate(group), motion.deviation(group), plant]
     sizes = {"K": space.size, "N": space.dim, "M": len(craft.inertia)}
     defines = "\n".join(f"#define {name} {size}" for name, size in sizes.items())
-    body = _SOURCE.replace("STEP_ARGUMENTS", _STEP).replace("APART_ARGUMENTS", _APART)
-    calls = body.replace("PLANT_NAME", plant.name).replace("PLANT_ARGUMENTS", arguments)
-    return f"{inline.functions(derived)}\n{defines}\n{calls}"
+    body = _SOURCE
+    for mark, by in {
+        "STEP_ARGUMENTS": _STEP,
+        "APART_ARGUMENTS": _APART,
+        "FOLLOW_ARGUMENTS": _FOLLOW,
+        "PLANT_ARGUMENTS": arguments,
+    }.items():
+        body = body.replace(mark, by)
+    return f"{inline.functions(derived)}\n{defines}\n{body}"
 
 
 _SOURCE = """
@@ -121,7 +145,7 @@ void held_step(long rows, STEP_ARGUMENTS)
                 p[j] = s ? p0[j] + weight[s - 1] * -f[j] : p0[j];
                 pushed[j] = f[j] + (d[j] + turn[2 * s] * a[j] + turn[2 * s + 1] * b[j]);
             }
-            PLANT_NAME(PLANT_ARGUMENTS, kv[s]);
+            plant(PLANT_ARGUMENTS, kv[s]);
             chart_rate(x, v, kx[s]);
         }
         double square = f[0] * f[0], e = effort[i];
@@ -160,5 +184,18 @@ void apart(long rows, APART_ARGUMENTS)
         for (int j = 0; j < N; ++j) nu_e[j * rows + i] = v1[j];
         height[i] = far[0];
     }
+}
+
+void follow(FOLLOW_ARGUMENTS)
+{
+    double k[4][N], x[N];
+    for (int s = 0; s < 4; ++s) {
+        for (int j = 0; j < N; ++j) x[j] = s ? 0.0 + weight[s - 1] * k[s ? s - 1 : 0][j] : 0.0;
+        chart_rate(x, nu_r + s * N, k[s]);
+    }
+    for (int j = 0; j < N; ++j) x[j] = 0.0;
+    for (int s = 0; s < 4; ++s)
+        for (int j = 0; j < N; ++j) x[j] = x[j] + weight[3 + s] * k[s][j];
+    advance(g_r, x, g_r_new);
 }
 """
