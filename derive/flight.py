@@ -147,15 +147,21 @@ def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> 
     if asked.seed is None:
         runs: Runs = stated(vehicle, made, reference)
         return runs
-    said = vehicle.experiment
-    spread = Spread(
-        box=asked.box,
-        speed=asked.speed,
-        inertia=abs(float(said.inertia_error)),
-        disturbance=max(map(float, said.disturbance), default=0.0),
-        wave=max(map(float, said.wave), default=0.0),
-    )
+    spread = spread_of(vehicle, asked.box, asked.speed)
     return drawn(made, reference, spread, [asked.seed])
+
+
+def spread_of(vehicle: Vehicle, box: float, speed: float) -> Spread:
+    """What is drawn around the vehicle's [simulate]: its errors are widths. Raises InputError."""
+    said = vehicle.experiment
+    error = abs(float(said.inertia_error))
+    if error >= 1:
+        remedy = "give a smaller --inertia-error"
+        raise InputError(vehicle.source, "simulate.inertia_error",
+                         "less than 1 where it is drawn: an inertia is positive",
+                         f"{error:g}", remedy)  # fmt: skip
+    widths = (max(map(abs, map(float, one)), default=0.0) for one in (said.disturbance, said.wave))
+    return Spread(box, speed, error, *widths)
 
 
 def setting_of(vehicle: Vehicle, made: Craft) -> Setting:

@@ -158,18 +158,15 @@ class Library:
         """Status of the parameters, (…): OK or BAD_PARAMS."""
         return self.call("check_params", params=params)["status"]
 
-    def bound(self, prototype: str, symbol: str) -> Callable[..., None]:
-        """A further function of the library: it takes numbers, and arrays as their addresses."""
+    def bound(self, prototype: str, symbol: str, *given: Any) -> Callable[[], None]:
+        """A call of a further function of the library: of numbers, and of arrays by address."""
         self._ffi.cdef(f"{prototype};", override=True)
         function = getattr(self._library, symbol)
         types = self._ffi.typeof(function).args
-
-        def call(*given: Any) -> None:
-            cast = self._ffi.cast
-            function(*(cast(kind, one.ctypes.data) if isinstance(one, np.ndarray) else one
-                       for kind, one in zip(types, given, strict=True)))  # fmt: skip
-
-        return call
+        cast = self._ffi.cast
+        fixed = [cast(kind, one.ctypes.data) if isinstance(one, np.ndarray) else one
+                 for kind, one in zip(types, given, strict=True)]  # fmt: skip
+        return lambda: function(*fixed)
 
     def _symbol(self, name: str) -> str:
         return f"{self.prefix}_{name}"
