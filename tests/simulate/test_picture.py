@@ -20,7 +20,7 @@ from derive.simulate.flight import Flight
 from derive.simulate.picture import PAPER, captions_of, performance, sliding
 from derive.simulate.reading import until
 from derive.simulate.sphere import pointing
-from derive.simulate.style import COLOURS, LETTER, PlotterMissing, apart, need, written
+from derive.simulate.style import COLOURS, LETTER, PlotterMissing, apart, line, need, written
 
 NAMES = ["axis 1", "axis 2", "axis 3"]
 SMALLEST = 8.0  # points
@@ -54,6 +54,11 @@ def test_every_picture_is_a_whole_png_and_svg_and_the_same_twice(compared: Compa
         assert b"matplotlib" not in files[".png"].lower()
 
 
+def panels(figure: Any) -> Any:
+    """The axes of the performance figure, (4, 2)."""
+    return np.array(figure.axes, dtype=object).reshape(4, 2)
+
+
 def png_size(content: bytes) -> tuple[int, int]:
     """Width and height; every chunk is read and its sum held against what stands there."""
     assert content[:8] == b"\x89PNG\r\n\x1a\n"
@@ -74,7 +79,7 @@ def png_size(content: bytes) -> tuple[int, int]:
 
 def test_panels_tell_what_they_show(compared: Comparison) -> None:
     figures = drawn(compared)
-    rows = np.reshape(figures["performance"].axes, (4, 2))
+    rows = panels(figures["performance"])
     for axes, caption in zip(rows[:, 0], PAPER.each, strict=True):
         assert caption in axes.get_title(loc="left")
     assert [axes.get_xlabel() for axes in rows[-1]] == ["time  [s]"] * 2
@@ -91,13 +96,13 @@ def test_lines_show_the_flights(compared: Comparison) -> None:
     figure = performance(entries(compared), PAPER)
     for index, (_, flight) in enumerate(entries(compared)):
         for axes, values in zip(
-            np.reshape(figure.axes, (4, 2))[:, 0],
+            panels(figure)[:, 0],
             (flight.height, flight.rate_error(), flight.effort(), flight.energy),
             strict=True,
         ):
             np.testing.assert_array_equal(axes.lines[index].get_ydata(), values)
             assert axes.lines[index].get_color() == COLOURS[index]
-    styles = {line.get_linestyle() + str(line._dash_pattern) for line in figure.axes[0].lines}
+    styles = {str(line(index)["linestyle"]) for index in range(len(entries(compared)))}
     assert len(styles) == len(entries(compared))
 
 
