@@ -17,7 +17,7 @@ from derive.simulate.picture import PAPER, performance, sliding
 from derive.simulate.reading import until
 from derive.simulate.scenario import ENTRANTS, SCENARIOS, SECONDS, Entrant
 from derive.simulate.sphere import pointing
-from derive.simulate.style import PlotterMissing, need, written
+from derive.simulate.style import is_drawable, written
 from derive.vehicle import CONTROLLERS, InputError, Vehicle
 
 Progress = Callable[[str], None]
@@ -90,8 +90,6 @@ def fly_scenarios(
 
     Raises InputError, and CompilerMissing or CompileError where C cannot be built.
     """
-    if out is not None:
-        _refuse_without_plotter(out)
     found = scenarios(vehicle, cached, numbers, backend, show)
     if out is None:
         return found
@@ -153,8 +151,8 @@ def documents(found: Comparison, show: Progress) -> dict[str, bytes]:
         show(f"scenario {number}: pictures")
         stem = f"scenario{number}"
         files[f"{stem}.json"] = found.as_json(number).encode()
-        for name, content in pictures(number, found.flights[number]).items():
-            files[f"{stem}{name}"] = content
+        drawn = pictures(number, found.flights[number]) if is_drawable() else {}
+        files |= {f"{stem}{name}": content for name, content in drawn.items()}
     files["claims.md"] = claim_table.markdown(found.claims).encode()
     return files
 
@@ -185,13 +183,3 @@ def _refuse_other_groups(vehicle: Vehicle) -> None:
             f'"{vehicle.group}"',
             "name a vehicle whose attitude is a rotation matrix, or leave --scenario out",
         )
-
-
-def _refuse_without_plotter(out: Path) -> None:
-    try:
-        need()
-    except PlotterMissing as fault:
-        remedy = "install it: python -m pip install 'gsmc-derive[plot]', or leave --out out"
-        raise InputError(
-            str(out), "--out", "matplotlib, for pictures", str(fault), remedy
-        ) from fault

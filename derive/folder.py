@@ -142,12 +142,17 @@ def save(path: Path, text: str) -> None:
 
     A device or a pipe has no such place, and is written to as it is.
     """
+    save_bytes(path, text.encode())
+
+
+def save_bytes(path: Path, data: bytes) -> None:
+    """The same for bytes."""
     if path.exists() and not path.is_file():
-        path.write_text(text, encoding="utf-8")
+        path.write_bytes(data)
         return
     place = path.resolve()  # a link stays one
     with _beside(place) as beside:
-        beside.write_text(text, encoding="utf-8")
+        beside.write_bytes(data)
         beside.replace(place)
 
 

@@ -45,7 +45,7 @@ def lsf_printed(
     group: Group, law: KinematicLaw, pattern: Pattern, options: tuple[str, ...] = ()
 ) -> Derivation:
     """Linearisation by state feedback with F_2 to the letter; eq. (Ctrls2)."""
-    d = Derivation("tracking", "LSF force that drives (g, nu) to (g_r, nu_r)", "eq. (Ctrls2)")
+    d = Derivation("tracking", "LSF force that tracks (g_r, nu_r)", "eq. (Ctrls2)")
     at = _setting(d, group, pattern, options, "lsf_printed")
     wanted, s, error = _feedback(d, at)
     wanted = d.let("wanted", wanted, group.acceleration_unit, "acceleration asked for")
@@ -59,7 +59,7 @@ def lsf(
 ) -> Derivation:
     """The same with the F_2 that closes the loop to -k J s_2; eq. (Ctrls2) corrected."""
     source = "eq. (Ctrls2) corrected"
-    d = Derivation("tracking", "LSF force that drives (g, nu) to (g_r, nu_r)", source)
+    d = Derivation("tracking", "LSF force that tracks (g_r, nu_r)", source)
     at = _setting(d, group, pattern, options, "lsf")
     wanted, s, error = _feedback(d, at)
     crossing = d.let("crossing", group.ad(at.nu) * at.nu_r, group.acceleration_unit, "nu x nu_r")
@@ -72,7 +72,7 @@ def pd_plus(
     group: Group, law: KinematicLaw, pattern: Pattern, options: tuple[str, ...] = ()
 ) -> Derivation:
     """PD+ on rotation matrices; eq. (Ctrls3). psi(R_e) (R_e - R_e^T)^vee is the law `lee`."""
-    d = Derivation("tracking", "PD+ force that drives (g, nu) to (g_r, nu_r)", "eq. (Ctrls3)")
+    d = Derivation("tracking", "PD+ force that tracks (g_r, nu_r)", "eq. (Ctrls3)")
     at = _setting(d, group, pattern, options, "pd_plus")
     k_R, k_Omega = at.gains
     unit, flat = group.unit, at.system.flat

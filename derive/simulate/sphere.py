@@ -6,10 +6,12 @@ The sphere is drawn as a plane picture, its far side faint, so that what is behi
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from derive.simulate.flight import Flight
 from derive.simulate.picture import Entry
 from derive.simulate.space import Array
 from derive.simulate.style import GREY, headed, line, ruled, sheet
@@ -48,6 +50,24 @@ def pointing(entries: Sequence[Entry], axis: int, title: str = "") -> Figure:
                       title_fontsize=9, alignment="left")  # fmt: skip
         headed(figure, title)
     return figure
+
+
+def in_space(flight: Flight) -> Flight:
+    """A flight on S3 as one on SO3, (T, 9) for (T, 4); any other as it is."""
+    if flight.g.shape[1] != 4:
+        return flight
+    return replace(flight, g=_matrices(flight.g), g_r=_matrices(flight.g_r))
+
+
+def _matrices(q: Array) -> Array:
+    """Rotation matrices, row by row, of unit quaternions, scalar first."""
+    w, x, y, z = q.T
+    rows = (
+        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+    )
+    return np.stack([entry for row in rows for entry in row], axis=-1)
 
 
 def _path(g: Array, axis: int) -> Array:

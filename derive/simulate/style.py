@@ -61,9 +61,14 @@ class PlotterMissing(Exception):
     """matplotlib is not installed."""
 
 
+def is_drawable() -> bool:
+    """Whether pictures can be drawn here."""
+    return find_spec("matplotlib") is not None
+
+
 def need() -> None:
     """Raise PlotterMissing where nothing can be drawn."""
-    if find_spec("matplotlib") is None:
+    if not is_drawable():
         raise PlotterMissing("matplotlib is not installed")
 
 

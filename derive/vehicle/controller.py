@@ -37,7 +37,8 @@ def _refuse_foreign(gains: Table, key: str, name: str) -> None:
     owners = [other for other, one in CONTROLLERS.items() if key in one.names]
     if key in known or not owners:
         return
-    remedy = f'give {" and ".join(known)}, or write controller = "{owners[0]}" above the tables'
+    others = " or ".join(f'"{other}"' for other in owners)
+    remedy = f"give {' and '.join(known)}, or write controller = {others} above the tables"
     expected = f"one of the keys {', '.join(known)}, the gains of {name}"
     raise gains.fault(key, expected, f"a gain of {', '.join(owners)}", remedy)
 

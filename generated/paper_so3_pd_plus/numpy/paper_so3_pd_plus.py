@@ -57,7 +57,7 @@ DEFAULTS = Params(
 def control(
     g: Array, nu: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
 ) -> Command:
-    """Guarded controller: PD+ force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls3).
+    """Guarded controller: PD+ force that tracks (g_r, nu_r); eq. (Ctrls3).
 
     Arguments as for `tracking`, real numbers only, computed and judged in double; TypeError for
     others. Where the status is 16 or larger, the whole command is zero.
@@ -114,7 +114,7 @@ def check_params(params: Params = DEFAULTS) -> Array:
 def tracking(
     g: Array, nu: Array, g_r: Array, nu_r: Array, nu_r_dot: Array, params: Params = DEFAULTS
 ) -> Command:
-    """PD+ force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls3). Presumes what `control` checks.
+    """PD+ force that tracks (g_r, nu_r); eq. (Ctrls3). Presumes what `control` checks.
 
     g: configuration: rotation matrix, row by row [1], (..., 3, 3)
     nu: body velocity [rad/s], (..., 3)
@@ -209,7 +209,7 @@ def _law(
     inertia: Array, k_R: Array, k_Omega: Array, g: Array, nu: Array, g_r: Array, nu_r: Array,
     nu_r_dot: Array,
 ) -> Array:
-    """PD+ force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls3)."""
+    """PD+ force that tracks (g_r, nu_r); eq. (Ctrls3)."""
     # -- tracking --
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]

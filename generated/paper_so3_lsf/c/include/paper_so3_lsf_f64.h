@@ -69,8 +69,7 @@ paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_param
         const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
         paper_so3_lsf_f64_command *command);
 
-/* LSF force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls2) corrected. Presumes what control
-        checks.
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected. Presumes what control checks.
    103 operations, 28 temporaries. */
 void paper_so3_lsf_f64_tracking(const paper_so3_lsf_f64_params *params,
         const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,

@@ -20,7 +20,7 @@ const paper_so3_lsf_f64_params paper_so3_lsf_f64_defaults = {
     0.5 /* kappa */
 };
 
-/* LSF force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls2) corrected. */
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected. */
 static void paper_so3_lsf_f64_law(const paper_so3_lsf_f64_params *params,
         const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
         paper_so3_lsf_f64_command *command, double *clearance)

@@ -79,7 +79,7 @@ paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_control(const
         const paper_so3_lsf_printed_f32_reference *reference,
         paper_so3_lsf_printed_f32_command *command);
 
-/* LSF force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls2). Presumes what control checks.
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2). Presumes what control checks.
    103 operations, 28 temporaries. */
 void paper_so3_lsf_printed_f32_tracking(const paper_so3_lsf_printed_f32_params *params,
         const paper_so3_lsf_printed_f32_state *state,

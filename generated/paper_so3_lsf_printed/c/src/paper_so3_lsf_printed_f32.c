@@ -20,7 +20,7 @@ const paper_so3_lsf_printed_f32_params paper_so3_lsf_printed_f32_defaults = {
     0.5F /* kappa */
 };
 
-/* LSF force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls2). */
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2). */
 static void paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params *params,
         const paper_so3_lsf_printed_f32_state *state,
         const paper_so3_lsf_printed_f32_reference *reference,

@@ -20,7 +20,7 @@ const paper_so3_lsf_printed_f64_params paper_so3_lsf_printed_f64_defaults = {
     0.5 /* kappa */
 };
 
-/* LSF force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls2). */
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2). */
 static void paper_so3_lsf_printed_f64_law(const paper_so3_lsf_printed_f64_params *params,
         const paper_so3_lsf_printed_f64_state *state,
         const paper_so3_lsf_printed_f64_reference *reference,

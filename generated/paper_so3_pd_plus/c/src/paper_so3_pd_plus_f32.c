@@ -20,7 +20,7 @@ const paper_so3_pd_plus_f32_params paper_so3_pd_plus_f32_defaults = {
     18.5F /* k_Omega */
 };
 
-/* PD+ force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls3). */
+/* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3). */
 static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command, float *clearance)

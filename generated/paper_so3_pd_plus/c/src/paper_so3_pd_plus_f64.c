@@ -20,7 +20,7 @@ const paper_so3_pd_plus_f64_params paper_so3_pd_plus_f64_defaults = {
     18.5 /* k_Omega */
 };
 
-/* PD+ force that drives (g, nu) to (g_r, nu_r); eq. (Ctrls3). */
+/* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3). */
 static void paper_so3_pd_plus_f64_law(const paper_so3_pd_plus_f64_params *params,
         const paper_so3_pd_plus_f64_state *state, const paper_so3_pd_plus_f64_reference *reference,
         paper_so3_pd_plus_f64_command *command, double *clearance)
