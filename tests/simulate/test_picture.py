@@ -86,10 +86,10 @@ def test_panels_tell_what_they_show(compared: Comparison) -> None:
     assert [axes.get_yscale() for axes in rows[:, 1]] == ["log", "log", "log", "linear"]
     for axes in rows[:, 1]:
         assert [one.get_text() for one in axes.texts] == [name for name, _ in entries(compared)]
-    panels = figures["sliding"].axes
-    assert [axes.get_title(loc="left")[5:] for axes in panels] == list(compared.flights[1])
-    assert all("rad/s" in axes.get_ylabel() for axes in panels[::2])
-    assert [one.get_text() for one in panels[0].get_legend().get_texts()] == NAMES
+    boxes = figures["sliding"].axes
+    assert [axes.get_title(loc="left")[5:] for axes in boxes] == list(compared.flights[1])
+    assert all("rad/s" in axes.get_ylabel() for axes in boxes[::2])
+    assert [one.get_text() for one in boxes[0].get_legend().get_texts()] == NAMES
 
 
 def test_lines_show_the_flights(compared: Comparison) -> None:
