@@ -32,33 +32,37 @@ def test_another_group_is_refused(name: str) -> None:
         comparison.scenarios(vehicle, None, (1,), "numpy", lambda _: None)
 
 
-def test_without_matplotlib_nothing_is_flown(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_an_unknown_backend_is_refused() -> None:
+    with pytest.raises(InputError, match="--backend"):
+        comparison.scenarios(paper(), None, (1,), "f16", lambda _: None)
+
+
+def only(compared: Comparison, number: int) -> Comparison:
+    return replace(compared, flights={number: compared.flights[number]})
+
+
+def test_without_matplotlib_numbers_are_given(
+    compared: Comparison, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(style, "find_spec", lambda name: None)
-    with pytest.raises(InputError, match=r"gsmc-derive\[plot\]"):
-        comparison.fly_scenarios(paper(), None, (1,), "numpy", lambda _: None, tmp_path / "out")
-    assert not (tmp_path / "out").exists()
+    files = comparison.documents(only(compared, 1), lambda _: None)
+    assert list(files) == ["scenario1.json", "claims.md"]
 
 
-def test_all_files_are_written_or_none(
-    compared: Comparison, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    one = replace(compared, flights={1: compared.flights[1]})
-    monkeypatch.setattr(comparison, "scenarios", lambda *_: one)
+def test_all_files_are_written_or_none(compared: Comparison, tmp_path: Path) -> None:
+    files = comparison.documents(only(compared, 1), lambda _: None)
+    assert list(files) == [*FILES, "claims.md"]
     (tmp_path / "mine.txt").write_text("kept")
-    found = comparison.fly_scenarios(paper(), None, (1,), "f64", lambda _: None, tmp_path)
-    assert found.ok
-    assert [path.name for path in found.files] == [*FILES, "claims.md"]
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
-        [*FILES, "claims.md", "mine.txt"]
-    )
-    before = {name: (tmp_path / name).read_bytes() for name in FILES}
+    folder.save_all(tmp_path, files)
+    found = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert found == {**files, "mine.txt": b"kept"}
     (tmp_path / "claims.md").unlink()
     (tmp_path / "claims.md").mkdir()  # in the way
-    with pytest.raises(InputError, match="--out"):
-        comparison.fly_scenarios(paper(), None, (1,), "f64", lambda _: None, tmp_path)
-    assert {name: (tmp_path / name).read_bytes() for name in FILES} == before
+    with pytest.raises(IsADirectoryError):
+        folder.save_all(tmp_path, dict.fromkeys(files, b"new"))
+    assert {name: (tmp_path / name).read_bytes() for name in FILES} == {
+        name: files[name] for name in FILES
+    }
     assert not list(tmp_path.glob(".derive-*"))
 
 
