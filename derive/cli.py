@@ -16,6 +16,7 @@ import click
 
 from derive import __version__
 from derive.cli_simulate import simulate
+from derive.cli_sweep import sweep
 from derive.cli_theory import laws, prove
 from derive.terminal import (
     FINDING,
@@ -189,6 +190,7 @@ def explain(
 
 commands.add_command(prove)
 commands.add_command(laws)
+commands.add_command(sweep)
 commands.add_command(simulate)
 
 

@@ -95,50 +95,52 @@ def _number(value: Any) -> float:
         return math.nan
 
 
-duration_option = click.option(
-    "--duration", default=30.0, show_default=True, type=Number(0.0, 1e6, "s", is_open=True),
-    help="Seconds to fly.",
-)  # fmt: skip
-seed_option = click.option(
-    "--seed", default=0, show_default=True, type=Count(0, LARGEST_SEED),
-    help="What all random numbers are made from.",
+backend_option = click.option(
+    "--backend", default="f64", show_default=True, metavar="f64|f32|numpy",
+    help="Which emitted controller flies: C in double or single precision, or numpy.",
 )  # fmt: skip
 
-_SHARED = (
-    click.option(
-        "--backend", default="f64", show_default=True, metavar="f64|f32|numpy",
-        help="Which emitted controller flies: C in double or single precision, or numpy.",
-    ),
-    click.option(
+
+def start_options(command: Command) -> Command:
+    """The box and the speed that a drawn start lies in."""
+    box = click.option(
         "--box", default=1.0, show_default=True, type=Number(0.0, 1e6, "rad or m"),
-        help="Initial error, +- per coordinate, where the group is not compact.",
-    ),
-    click.option(
+        help="Drawn initial error, +- per coordinate, where the group is not compact.",
+    )  # fmt: skip
+    speed = click.option(
         "--speed", default=0.5, show_default=True, type=Number(0.0, 1e6, "rad/s or m/s"),
-        help="Initial velocity error, +- per coordinate.",
+        help="Drawn velocity error, +- per coordinate.",
+    )  # fmt: skip
+    return box(speed(command))
+
+
+rate_option = click.option(
+    "--rate", type=Number(1e-3, 1e6, "Hz"),
+    help="Of the controller, its force held between; continuous when left out.",
+)  # fmt: skip
+
+_OF_THE_FILE = (
+    click.option("--duration", "seconds", type=Number(1e-3, 1e6, "s"), help="Seconds to fly."),
+    click.option("--step", type=Number(1e-6, 1.0, "s"), help="Longest step of the integration."),
+    click.option(
+        "--inertia-error", type=Number(-0.9, 10.0),
+        help="Of the plant against the controller, relative; with --seed +-.",
     ),
     click.option(
-        "--inertia-error", default=0.0, show_default=True, type=Number(0.0, 0.9),
-        help="Of the plant against the controller, relative, +-.",
+        "--disturbance", type=Numbers(-1e9, 1e9, "N m or N"), metavar="F[,F...]",
+        help="Constant force that the controller is not told; with --seed +-.",
     ),
     click.option(
-        "--disturbance", default=0.0, show_default=True, type=Number(0.0, 1e9, "N m or N"),
-        help="Constant force, +- per coordinate.",
+        "--wave", type=Numbers(-1e9, 1e9, "N m or N"), metavar="F[,F...]",
+        help="Amplitude of a periodic one; with --seed +-.",
     ),
+    click.option("--hertz", type=Number(0.0, 1e6, "Hz"), help="Its frequency."),
     click.option(
-        "--wave", default=0.0, show_default=True, type=Number(0.0, 1e9, "N m or N"),
-        help="Amplitudes of a periodic force, +- per coordinate.",
-    ),
-    click.option(
-        "--hertz", default=0.1, show_default=True, type=Number(0.0, 1e6, "Hz"),
-        help="Frequency of the periodic force.",
-    ),
-    click.option(
-        "--noise-g", default=0.0, show_default=True, type=Number(0.0, 1e3, "rad or m"),
+        "--noise-g", type=Number(0.0, 0.1, "rad or m"),
         help="Standard deviation of a measured configuration.",
     ),
     click.option(
-        "--noise-nu", default=0.0, show_default=True, type=Number(0.0, 1e6, "rad/s or m/s"),
+        "--noise-nu", type=Number(0.0, 1e9, "rad/s or m/s"),
         help="Standard deviation of a measured velocity.",
     ),
     click.option(
@@ -148,8 +150,8 @@ _SHARED = (
 )  # fmt: skip
 
 
-def loop_options(command: Command) -> Command:
-    """The options on the plant, the start and the measurements, added to a command."""
-    for option in reversed(_SHARED):
+def experiment_options(command: Command) -> Command:
+    """What the [simulate] table of a vehicle file says as well, but for the rate."""
+    for option in reversed(_OF_THE_FILE):
         command = option(command)
     return command

@@ -7,49 +7,17 @@ from typing import Any
 
 import click
 
-from derive.cli_loop import LARGEST_SEED, Count, Number, Numbers
+from derive.cli_loop import (
+    LARGEST_SEED,
+    Count,
+    backend_option,
+    experiment_options,
+    rate_option,
+    start_options,
+)
 from derive.terminal import FINDING, AnyPath, cache, cache_option, loaded, progress
 
-_OF_THE_FILE = (
-    click.option("--duration", "seconds", type=Number(1e-3, 1e6, "s"), help="Seconds to fly."),
-    click.option(
-        "--rate", type=Number(1e-3, 1e6, "Hz"),
-        help="Of the controller, its force held between; continuous when left out.",
-    ),
-    click.option("--step", type=Number(1e-6, 1.0, "s"), help="Longest step of the integration."),
-    click.option(
-        "--inertia-error", type=Number(-0.9, 10.0),
-        help="Of the plant against the controller, relative; with --seed +-.",
-    ),
-    click.option(
-        "--disturbance", type=Numbers(-1e9, 1e9, "N m or N"), metavar="F[,F...]",
-        help="Constant force that the controller is not told; with --seed +-.",
-    ),
-    click.option(
-        "--wave", type=Numbers(-1e9, 1e9, "N m or N"), metavar="F[,F...]",
-        help="Amplitude of a periodic one; with --seed +-.",
-    ),
-    click.option("--hertz", type=Number(0.0, 1e6, "Hz"), help="Its frequency."),
-    click.option(
-        "--noise-g", type=Number(0.0, 0.1, "rad or m"),
-        help="Standard deviation of a measured configuration.",
-    ),
-    click.option(
-        "--noise-nu", type=Number(0.0, 1e9, "rad/s or m/s"),
-        help="Standard deviation of a measured velocity.",
-    ),
-    click.option(
-        "--force-limit", type=Numbers(0.0, 1e9, "N m or N", is_open=True), metavar="F[,F...]",
-        help="What the actuators can give; one for all coordinates, or one for each.",
-    ),
-)  # fmt: skip
-
-
-def _experiment_options(command: Any) -> Any:
-    """What the [simulate] table of a vehicle file says as well."""
-    for option in reversed(_OF_THE_FILE):
-        command = option(command)
-    return command
+SCENARIOS = {"1": (1,), "2": (2,), "3": (3,), "all": (1, 2, 3)}
 
 
 @click.command()
@@ -57,26 +25,17 @@ def _experiment_options(command: Any) -> Any:
 @click.option(
     "--scenario", metavar="1|2|3|all", help="The paper's, with every controller it compares."
 )
-@click.option(
-    "--backend", default="f64", show_default=True, metavar="f64|f32|numpy",
-    help="Which emitted controller flies: C in double or single precision, or numpy.",
-)  # fmt: skip
+@backend_option
 @click.option(
     "--seed", type=Count(0, LARGEST_SEED), help="Draw start and errors, as `derive sweep` does."
 )
+@start_options
+@rate_option
+@experiment_options
 @click.option(
-    "--box",
-    default=1.0,
-    show_default=True,
-    type=Number(0.0, 1e6, "rad or m"),
-    help="With --seed: of the error, where the group is not compact.",
-)
-@click.option(
-    "--speed", default=0.5, show_default=True, type=Number(0.0, 1e6, "rad/s or m/s"),
-    help="With --seed: of the velocity error.",
+    "--out", type=AnyPath, metavar="DIR",
+    help="Folder for pictures and numbers; simulated/NAME if left out.",
 )  # fmt: skip
-@_experiment_options
-@click.option("--out", type=AnyPath, metavar="DIR", help="Folder for figures and numbers.")
 @cache_option
 def simulate(
     file: Path,
@@ -89,16 +48,49 @@ def simulate(
     no_cache: bool,
     **said: Any,
 ) -> int:
-    """Close the loop through the emitted code: figures, numbers, and what must not break."""
-    from derive import flight
+    """Close the loop through the emitted code: pictures, numbers, and what must not break."""
+    from derive import comparison, place, simulation
 
     (vehicle,) = loaded((file,))
     given = {key: value for key, value in said.items() if value is not None}
+    if scenario is not None:
+        _check_scenario(scenario, [*given, *(["seed"] if seed is not None else [])])
+    home = out or Path("simulated") / vehicle.name
+    place.probe_folder(home)
     show = progress()
     try:
-        asked = flight.Asked(backend, seed, box, speed, given, out)
-        report = flight.simulate(vehicle, cache(no_cache), asked, show)
+        if scenario is not None:
+            numbers = SCENARIOS[scenario]
+            compared = comparison.scenarios(vehicle, cache(no_cache), numbers, backend, show)
+            is_good, table = compared.ok, compared.table()
+            files = comparison.documents(compared, show)
+        else:
+            asked = simulation.Asked(backend, seed, box, speed, given)
+            flown = simulation.simulate(vehicle, cache(no_cache), asked, show)
+            is_good, table = flown.ok, flown.table()
+            files = simulation.documents(flown)
+        written = simulation.write(files, home)
     finally:
         show("")
-    click.echo(report.table())
-    return 0 if report.ok else FINDING
+    click.echo(f"{table}\n\nwrote {len(written)} files to {home}")
+    if not any(path.suffix == ".png" for path in written):
+        click.echo("no pictures: they need pip install 'gsmc-derive[plot]'", err=True)
+    return 0 if is_good else FINDING
+
+
+def _check_scenario(scenario: str, given: list[str]) -> None:
+    """Raise InputError for another number, or for options that a scenario leaves no room for."""
+    from derive.vehicle import InputError
+
+    where = "derive simulate"
+    if scenario not in SCENARIOS:
+        known = ", ".join(SCENARIOS)
+        remedy = "give one of them, or leave --scenario out to fly the vehicle file's own run"
+        raise InputError(where, "--scenario", f"one of {known}", repr(scenario), remedy)
+    if given:
+        from derive.flight import option
+
+        found = ", ".join(map(option, given))
+        remedy = "leave it out, or fly the vehicle file's own run without --scenario"
+        expected = "no option of a run of one's own: the paper states its scenarios"
+        raise InputError(where, "--scenario", expected, found, remedy)

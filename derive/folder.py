@@ -142,12 +142,17 @@ def save(path: Path, text: str) -> None:
 
     A device or a pipe has no such place, and is written to as it is.
     """
+    save_bytes(path, text.encode())
+
+
+def save_bytes(path: Path, data: bytes) -> None:
+    """The same for bytes."""
     if path.exists() and not path.is_file():
-        path.write_text(text, encoding="utf-8")
+        path.write_bytes(data)
         return
     place = path.resolve()  # a link stays one
     with _beside(place) as beside:
-        beside.write_text(text, encoding="utf-8")
+        beside.write_bytes(data)
         beside.replace(place)
 
 
@@ -171,3 +176,20 @@ def _beside(place: Path) -> Iterator[Path]:
     finally:
         with suppress(OSError):
             beside.unlink()
+
+
+def save_all(out: Path, files: Mapping[str, bytes]) -> None:
+    """Write files into a folder, all of them or none, beside whatever else it holds; OSError."""
+    out.mkdir(parents=True, exist_ok=True)
+    taken = next((out / name for name in files if (out / name).is_dir()), None)
+    if taken:
+        raise IsADirectoryError(EISDIR, os.strerror(EISDIR), str(taken))
+    with _locked(out):
+        beside = Path(tempfile.mkdtemp(dir=out, prefix=PART[0], suffix=PART[1]))
+        try:
+            (beside / "new").mkdir()
+            for name, content in files.items():
+                (beside / "new" / name).write_bytes(content)
+            _swap(out, beside, list(files))
+        finally:
+            shutil.rmtree(beside, ignore_errors=True)

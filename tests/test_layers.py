@@ -19,10 +19,16 @@ LAYER = {
     "derive.folder": "derive.pipeline",
     "derive.bundle": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
+    "derive.campaign": "derive.pipeline",
+    "derive.course": "derive.pipeline",
+    "derive.crew": "derive.pipeline",
     "derive.demand": "derive.pipeline",
     "derive.flight": "derive.pipeline",
+    "derive.comparison": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_loop": "derive.cli",
+    "derive.cli_simulate": "derive.cli",
+    "derive.cli_sweep": "derive.cli",
     "derive.cli_theory": "derive.cli",
     "derive.terminal": "derive.cli",
     "derive.place": "derive.pipeline",
@@ -51,7 +57,8 @@ OWN = {
     ),
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
-        *("derive.demand", "derive.flight", "derive.vehicle"),
+        *("derive.campaign", "derive.comparison", "derive.crew", "derive.demand", "derive.flight"),
+        "derive.vehicle",
     ),
 }
 """What of ours each layer may import besides itself. A layer that is not here is refused."""
@@ -69,6 +76,8 @@ THIRD_PARTY = {
     "derive.control.table": (),
     "derive.control.caution": (),
     "derive.bundle": ("numpy",),
+    "derive.course": ("numpy",),
+    "derive.flight": ("numpy",),
     "derive.emit": ("sympy",),
     "derive.emit.function": ("sympy", "numpy"),
     "derive.emit.render": ("sympy", "jinja2"),
@@ -79,6 +88,12 @@ THIRD_PARTY = {
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),
     "derive.simulate": ("numpy", "scipy"),
+    "derive.simulate.picture": ("matplotlib", "numpy"),
+    "derive.simulate.sphere": ("matplotlib", "numpy"),
+    "derive.simulate.style": ("matplotlib",),
+    "derive.simulate.executor": ("distributed",),
+    "derive.simulate.sweep_picture": ("numpy", "matplotlib"),
+    "derive.simulate.table": ("numpy", "pyarrow"),
     "derive.cli": ("click",),
 }
 """What of others a module or layer may import; the longest name that fits decides."""

@@ -111,6 +111,8 @@ class Library:
     ) -> Arrays:
         """Guarded law: force, s, nu_u, nu_u_dot, (…, n), and status, (…); SI units.
 
+        A baseline has no nu_u_dot, here and below.
+
         extras, here and below: `momentum` and `external`, (…, n), where the state holds them.
         """
         state = {"g": g, "nu": nu, **extras}
@@ -129,7 +131,7 @@ class Library:
         params: Fields | None = None,
         **extras: ArrayLike,
     ) -> Arrays:
-        """Bare law with a reference: force, s, nu_u, nu_u_dot, (…, n); eq. (TckCtrl)."""
+        """Bare law with a reference: force, s, nu_u, nu_u_dot, (…, n); eqs. (TckCtrl), (Ctrls2)."""
         state = {"g": g, "nu": nu, **extras}
         reference = {"g": g_r, "nu": nu_r, "nu_dot": nu_r_dot}
         return self.call("tracking", params=params, state=state, reference=reference)
@@ -156,18 +158,15 @@ class Library:
         """Status of the parameters, (…): OK or BAD_PARAMS."""
         return self.call("check_params", params=params)["status"]
 
-    def bound(self, prototype: str, symbol: str) -> Callable[..., None]:
-        """A further function of the library: it takes numbers, and arrays as their addresses."""
+    def bound(self, prototype: str, symbol: str, *given: Any) -> Callable[[], None]:
+        """A call of a further function of the library: of numbers, and of arrays by address."""
         self._ffi.cdef(f"{prototype};", override=True)
         function = getattr(self._library, symbol)
         types = self._ffi.typeof(function).args
-
-        def call(*given: Any) -> None:
-            cast = self._ffi.cast
-            function(*(cast(kind, one.ctypes.data) if isinstance(one, np.ndarray) else one
-                       for kind, one in zip(types, given, strict=True)))  # fmt: skip
-
-        return call
+        cast = self._ffi.cast
+        fixed = [cast(kind, one.ctypes.data) if isinstance(one, np.ndarray) else one
+                 for kind, one in zip(types, given, strict=True)]  # fmt: skip
+        return lambda: function(*fixed)
 
     def _symbol(self, name: str) -> str:
         return f"{self.prefix}_{name}"

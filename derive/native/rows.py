@@ -37,12 +37,13 @@ class Rows:
         self.results = np.zeros(rows, dtype=np.int32)
         for name, value in library.defaults.items() if "params" in names else ():
             self.inputs["params"][name] = value
-        self._call = library.bound(_prototype(declared), declared.symbol + SUFFIX)
-        self._arguments = [*buffers.values(), self.results]
+        self._buffers = buffers  # whose addresses are called with
+        arguments = (rows, *buffers.values(), self.results)
+        self._call = library.bound(_prototype(declared), declared.symbol + SUFFIX, *arguments)
 
     def run(self) -> None:
         """Call the routine on every row."""
-        self._call(len(self.results), *self._arguments)
+        self._call()
 
 
 def build_rows(header: Path, source: Path, folder: Path, compiler: Compiler | None = None) -> Path:

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from derive.native.compile import CompileError, CompilerMissing
 from derive.simulate.craft import Craft
-from derive.simulate.draw import Spread, drawn, initial_angles, rate_of, seed_of
+from derive.simulate.draw import Spread, choice, drawn, initial_angles, seed_of
+from derive.simulate.held import Held
 from derive.simulate.loop import Loop
 from derive.simulate.outcome import Watch
 from derive.simulate.reference import Course, Reference
 from derive.simulate.runs import Runs, Setting
-from derive.simulate.space import Array, space_of
+from derive.simulate.space import space_of
 
-Rows = dict[str, Array]
+Rows = dict[str, NDArray[Any]]
 """Columns (N,) by name, in the order of the result."""
 
 
@@ -28,15 +31,15 @@ class CannotFly(Exception):
 class Plan:
     """All that a run depends on but its number: plain data, for another process or machine.
 
-    setting: its rate is replaced by the drawn one
-    settle:  bound on the height and on |nu_e| below which a run is settled
-    root:    the seed that the runs' seeds come from
+    settings: alternatives, one of which is drawn for each run
+    settle:   bound on the height and on |nu_e| below which a run is settled
+    root:     the seed that the runs' seeds come from
     """
 
     craft: Craft
     backend: str
     course: Course
-    setting: Setting
+    settings: tuple[Setting, ...]
     spread: Spread
     settle: float
     root: int
@@ -57,30 +60,34 @@ def fly(plan: Plan, first: int, last: int) -> Rows:
 
 def fly_seeds(plan: Plan, seeds: Sequence[int], first: int = 0) -> Rows:
     """The runs of these seeds, numbered from `first`. Raises CannotFly."""
-    rates = [rate_of(plan.spread, seed) for seed in seeds]
+    chosen = np.array([choice(seed, len(plan.settings)) for seed in seeds])
     whole: Rows = {}
-    for rate in dict.fromkeys(rates):
-        places = np.array([i for i, one in enumerate(rates) if one == rate])
+    for number, setting in enumerate(plan.settings):
+        places = np.flatnonzero(chosen == number)
+        if not len(places):
+            continue
         with np.errstate(all="ignore"):  # a run may diverge, and its row says so
-            part = _flown(plan, rate, [seeds[i] for i in places])
+            part = _flown(plan, setting, [seeds[int(i)] for i in places])
         for name, values in part.items():
             whole.setdefault(name, np.zeros(len(seeds), values.dtype))[places] = values
     return {"run": np.arange(first, first + len(seeds)), **whole}
 
 
-def _flown(plan: Plan, rate: float | None, seeds: Sequence[int]) -> Rows:
-    """Runs of one rate."""
-    reference, setting = plan.course.reference(), replace(plan.setting, rate=rate)
+def _flown(plan: Plan, setting: Setting, seeds: Sequence[int]) -> Rows:
+    """Runs of one setting."""
+    reference = plan.course.reference()
     runs = drawn(plan.craft, reference, plan.spread, seeds)
     watch = Watch(space_of(plan.craft), plan.settle, setting.period, len(seeds))
     for moment in _loop(plan, reference, setting, runs).moments():
         watch.see(moment)
-    return {**_start(plan, rate, runs, watch), **watch.outcomes()}
+    return {**_start(plan, setting.rate, runs, watch), **watch.outcomes()}
 
 
 def _loop(plan: Plan, reference: Reference, setting: Setting, runs: Runs) -> Loop:
     try:
-        return Loop(plan.craft, plan.backend, reference, setting, runs)
+        is_fast = plan.backend != "numpy" and setting.rate is not None
+        held = Held(plan.craft, runs) if is_fast else None
+        return Loop(plan.craft, plan.backend, reference, setting, runs, held)
     except (CompilerMissing, CompileError) as fault:
         raise CannotFly(str(fault)) from None
 

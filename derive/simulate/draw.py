@@ -35,7 +35,6 @@ class Spread:
     inertia:     of the plant, relative
     disturbance: constant force per coordinate, N m and N
     wave:        amplitudes of the periodic force, of its sine and of its cosine
-    rates:       of the controller, Hz, one of which is drawn; none for a continuous one
     """
 
     box: float = 1.0
@@ -43,7 +42,6 @@ class Spread:
     inertia: float = 0.0
     disturbance: float = 0.0
     wave: float = 0.0
-    rates: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -64,8 +62,11 @@ def draw(seed: int, dim: int, leaves: int) -> Draw:
     """The numbers of a seed, for n coordinates and so many factors."""
     source = np.random.default_rng(seed)
     rate, *rest = source.random(1 + 6 * dim).tolist()
-    spans = [[2 * x - 1 for x in rest[i * dim : (i + 1) * dim]] for i in range(6)]
-    return Draw(rate, *spans, source.standard_normal(4 * leaves).tolist())
+    place, speed, inertia, force, sine, cosine = (
+        [2 * x - 1 for x in rest[i * dim : (i + 1) * dim]] for i in range(6)
+    )
+    normal = source.standard_normal(4 * leaves).tolist()
+    return Draw(rate, place, speed, inertia, force, sine, cosine, normal)
 
 
 def seed_of(root: int, run: int) -> int:
@@ -74,12 +75,9 @@ def seed_of(root: int, run: int) -> int:
     return int(words[0]) >> 1
 
 
-def rate_of(spread: Spread, seed: int) -> float | None:
-    """The rate of that run's controller, Hz; None for a continuous one."""
-    if not spread.rates:
-        return None
-    place = int(float(np.random.default_rng(seed).random()) * len(spread.rates))
-    return spread.rates[place]
+def choice(seed: int, choices: int) -> int:
+    """Which of so many alternatives that run takes."""
+    return int(float(np.random.default_rng(seed).random()) * choices)
 
 
 def drawn(craft: Craft, reference: Reference, spread: Spread, seeds: Sequence[int]) -> Runs:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 from derive.simulate.space import Array
 
@@ -23,7 +24,7 @@ class Method:
     rows: tuple[tuple[float, ...], ...]
     weights: tuple[float, ...]
 
-    @property
+    @cached_property
     def nodes(self) -> tuple[float, ...]:
         """Where in the step each stage lies, 0 to 1."""
         return tuple(float(sum(map(Fraction, row))) for row in self.rows)

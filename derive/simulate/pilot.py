@@ -75,13 +75,17 @@ HOMES = {
 def _native(craft: Craft, scalar: str, loops: int) -> Callable[[Mapping[str, Array]], Command]:
     rows = Rows(_library(craft, scalar), "control", loops)
     command = rows.outputs["command"]
+    places: dict[str, Array] = {}
+    told = [column(command, name) for name in ("force", "s", "nu_u")]
 
     def run(given: Mapping[str, Array]) -> Command:
         for name, values in given.items():
-            struct, field = HOMES[name]
-            column(rows.inputs[struct], field)[...] = values
+            if name not in places:
+                struct, field = HOMES[name]
+                places[name] = column(rows.inputs[struct], field)
+            places[name][...] = values
         rows.run()
-        force, s, nu_u = (column(command, n).astype(np.float64) for n in ("force", "s", "nu_u"))
+        force, s, nu_u = (one.astype(np.float64, order="C") for one in told)
         return Command(force, s, nu_u, rows.results.astype(np.int_))
 
     return run
