@@ -156,11 +156,11 @@ def test_an_error_is_counted_from_the_reference() -> None:
 
 
 def _of_matrix(g: Array) -> Array:
-    return np.arccos(np.clip((g[0] + g[4] + g[8] - 1) / 2, -1, 1))
+    return np.asarray(np.arccos(np.clip((g[0] + g[4] + g[8] - 1) / 2, -1, 1)))
 
 
 def _of_quaternion(g: Array) -> Array:
-    return 2 * np.arctan2(np.linalg.norm(g[1:], axis=0), g[0])
+    return np.asarray(2 * np.arctan2(np.linalg.norm(g[1:], axis=0), g[0]))
 
 
 @pytest.mark.parametrize(("group", "angle"), [("SO3", _of_matrix), ("S3", _of_quaternion)])
