@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.util import find_spec
 
 from derive.campaign import Sweep, save
@@ -42,6 +44,17 @@ def hired(cluster: str | None, workers: int) -> Crew:
         found = f"{cluster}: {str(fault).splitlines()[0] if str(fault) else type(fault).__name__}"
         remedy = "start one with `dask scheduler` and `dask worker`, or leave --cluster out"
         raise InputError(PLACE, "--cluster", expected, found, remedy) from fault
+
+
+@contextmanager
+def let_go(crew: Crew) -> Iterator[None]:
+    """Let go of a crew in the end, at once where that is not the end of its work."""
+    is_done = False
+    try:
+        yield
+        is_done = True
+    finally:
+        crew.close(is_done)
 
 
 def drawn(rows: Rows, sweep: Sweep) -> str:
