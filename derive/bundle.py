@@ -23,8 +23,9 @@ from derive.control.kinematic import KinematicLaw, laws_of
 from derive.emit.function import Function, compiled
 from derive.lie.catalogue import named
 from derive.lie.group import Group
-from derive.vehicle import Vehicle, load, resolve
+from derive.vehicle import CONTROLLERS, InputError, Vehicle, load, resolve
 from derive.vehicle.group import group_of
+from derive.vehicle.text import described
 
 Array = Any  # a numpy array, or what np.asarray makes one of
 
@@ -164,7 +165,15 @@ def of(vehicle: Vehicle | Path | str) -> Bundle:
     """The bundle of a vehicle, or of its file: its group, law and lambda. Raises InputError."""
     one = vehicle if isinstance(vehicle, Vehicle) else load(Path(vehicle))
     resolve(one)
-    return make(group_of(one), one.law, float(dict(one.gains)["lambda"]))
+    gains = dict(one.gains)
+    if "lambda" not in gains:
+        having = [name for name, of in CONTROLLERS.items() if "lambda" in of.names]
+        expected = (
+            f"one of {', '.join(having)}: the operation on the tangent bundle has their lambda"
+        )
+        remedy = f'write controller = "{having[0]}", or make the bundle with bundle.make'
+        raise InputError(one.source, "controller", expected, described(one.controller), remedy)
+    return make(group_of(one), one.law, float(gains["lambda"]))
 
 
 def flat(group: Group, g: Array, name: str = "g") -> Array:

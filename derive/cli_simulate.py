@@ -17,6 +17,8 @@ from derive.cli_loop import (
 )
 from derive.terminal import FINDING, AnyPath, cache, cache_option, loaded, progress
 
+SCENARIOS = {"1": (1,), "2": (2,), "3": (3,), "all": (1, 2, 3)}
+
 
 @click.command()
 @click.argument("file", metavar="VEHICLE.toml", type=AnyPath)
@@ -30,7 +32,10 @@ from derive.terminal import FINDING, AnyPath, cache, cache_option, loaded, progr
 @start_options
 @rate_option
 @experiment_options
-@click.option("--out", type=AnyPath, metavar="DIR", help="Folder for figures and numbers.")
+@click.option(
+    "--out", type=AnyPath, metavar="DIR",
+    help="Folder for pictures and numbers; simulated/NAME if left out.",
+)  # fmt: skip
 @cache_option
 def simulate(
     file: Path,
@@ -43,16 +48,49 @@ def simulate(
     no_cache: bool,
     **said: Any,
 ) -> int:
-    """Close the loop through the emitted code: figures, numbers, and what must not break."""
-    from derive import flight
+    """Close the loop through the emitted code: pictures, numbers, and what must not break."""
+    from derive import comparison, place, simulation
 
     (vehicle,) = loaded((file,))
     given = {key: value for key, value in said.items() if value is not None}
+    if scenario is not None:
+        _check_scenario(scenario, [*given, *(["seed"] if seed is not None else [])])
+    home = out or Path("simulated") / vehicle.name
+    place.probe_folder(home)
     show = progress()
     try:
-        asked = flight.Asked(backend, seed, box, speed, given, out)
-        report = flight.simulate(vehicle, cache(no_cache), asked, show)
+        if scenario is not None:
+            numbers = SCENARIOS[scenario]
+            compared = comparison.scenarios(vehicle, cache(no_cache), numbers, backend, show)
+            is_good, table = compared.ok, compared.table()
+            files = comparison.documents(compared, show)
+        else:
+            asked = simulation.Asked(backend, seed, box, speed, given)
+            flown = simulation.simulate(vehicle, cache(no_cache), asked, show)
+            is_good, table = flown.ok, flown.table()
+            files = simulation.documents(flown)
+        written = simulation.write(files, home)
     finally:
         show("")
-    click.echo(report.table())
-    return 0 if report.ok else FINDING
+    click.echo(f"{table}\n\nwrote {len(written)} files to {home}")
+    if not any(path.suffix == ".png" for path in written):
+        click.echo("no pictures: they need pip install 'gsmc-derive[plot]'", err=True)
+    return 0 if is_good else FINDING
+
+
+def _check_scenario(scenario: str, given: list[str]) -> None:
+    """Raise InputError for another number, or for options that a scenario leaves no room for."""
+    from derive.vehicle import InputError
+
+    where = "derive simulate"
+    if scenario not in SCENARIOS:
+        known = ", ".join(SCENARIOS)
+        remedy = "give one of them, or leave --scenario out to fly the vehicle file's own run"
+        raise InputError(where, "--scenario", f"one of {known}", repr(scenario), remedy)
+    if given:
+        from derive.flight import option
+
+        found = ", ".join(map(option, given))
+        remedy = "leave it out, or fly the vehicle file's own run without --scenario"
+        expected = "no option of a run of one's own: the paper states its scenarios"
+        raise InputError(where, "--scenario", expected, found, remedy)

@@ -1,9 +1,9 @@
-"""The route of a closed loop: vehicle -> craft -> loop -> flight and its figures."""
+"""What a vehicle is flown with: its craft, and what its file and a command line say of a run."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -11,14 +11,9 @@ from typing import Any
 import numpy as np
 
 from derive import pipeline
-from derive.course import course
-from derive.demand import backend_of, wide
-from derive.simulate import tell
-from derive.simulate.craft import Craft, group_of
-from derive.simulate.draw import Spread, drawn
-from derive.simulate.flight import Flight, recorded
-from derive.simulate.invariant import Invariant, crossings, invariants
-from derive.simulate.loop import Loop
+from derive.demand import wide
+from derive.simulate.craft import Craft
+from derive.simulate.draw import Spread
 from derive.simulate.pace import longest
 from derive.simulate.reference import Reference
 from derive.simulate.runs import Runs, Setting
@@ -26,65 +21,6 @@ from derive.simulate.space import Array, space_of
 from derive.vehicle import InputError, Vehicle, check_facts, resolve
 
 TURN, SPEED = 0.5, 0.1  # of every coordinate at the start, where the vehicle file says nothing
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What a command line says of a run.
-
-    seed:  draw the run as a sweep does; None for the one that the vehicle file states
-    given: keys of Experiment that replace those of the vehicle file
-    out:   folder for figures and numbers; None for none
-    """
-
-    backend: str = "f64"
-    seed: int | None = None
-    box: float = 1.0
-    speed: float = 0.5
-    given: Mapping[str, Any] = field(default_factory=dict)
-    out: Path | None = None
-
-
-@dataclass(frozen=True)
-class Flown:
-    """One run of a vehicle, its flight, and what was watched in it."""
-
-    vehicle: Vehicle
-    craft: Craft
-    setting: Setting
-    asked: Asked
-    flight: Flight
-    invariants: tuple[Invariant, ...]
-
-    @property
-    def ok(self) -> bool:
-        """Whether no invariant broke."""
-        return all(one.ok for one in self.invariants)
-
-    @property
-    def found(self) -> dict[str, float | None]:
-        """Its figures by name."""
-        turns = space_of(self.craft).turns
-        return tell.figures(self.flight, crossings(self.flight.nu_u[:, turns]))
-
-    def table(self) -> str:
-        """Figures and invariants as text."""
-        rate = self.setting.rate
-        pace = "continuous" if rate is None else f"{rate:g} Hz"
-        drawn = "" if self.asked.seed is None else f", seed {self.asked.seed}"
-        head = (
-            f"{self.craft.name}: {self.craft.controller} on {self.craft.group}, "
-            f"{self.asked.backend}, {pace}, {self.setting.seconds:g} s{drawn}"
-        )
-        return tell.table(head, group_of(self.craft), self.found, self.invariants)
-
-    def as_json(self) -> str:
-        """Everything, trajectory included."""
-        craft = self.craft
-        facts = {"vehicle": craft.name, "group": craft.group, "law": craft.law,
-                 "controller": craft.controller, "backend": self.asked.backend,
-                 "seed": self.asked.seed}  # fmt: skip
-        return tell.as_json(facts, self.setting, self.flight, self.found, self.invariants)
 
 
 def craft(vehicle: Vehicle, cached: Path | None) -> Craft:
@@ -105,28 +41,6 @@ def craft(vehicle: Vehicle, cached: Path | None) -> Craft:
     )
 
 
-def simulate(
-    vehicle: Vehicle,
-    cached: Path | None,
-    asked: Asked,
-    progress: Callable[[str], None] = lambda _: None,
-) -> Flown:
-    """One run as the vehicle file states it, or, by a seed, as a sweep draws it.
-
-    Raises InputError.
-    """
-    backend_of(asked.backend)
-    one = overridden(vehicle, asked.given)
-    progress("deriving")
-    made = craft(one, cached)
-    reference, setting = course(one, made).reference(), setting_of(one, made)
-    runs = _runs(one, made, reference, asked)
-    loop = Loop(made, asked.backend, reference, setting, runs)
-    (flight,) = recorded(loop.moments(), lambda t: progress(f"{t:.1f} of {setting.seconds:g} s"))
-    progress("invariants")
-    return Flown(one, made, setting, asked, flight, tuple(invariants(loop, flight)))
-
-
 def overridden(vehicle: Vehicle, given: Mapping[str, Any]) -> Vehicle:
     """The vehicle with what a command line says in the place of what its file says."""
     n = len(vehicle.inertia)
@@ -141,14 +55,6 @@ def overridden(vehicle: Vehicle, given: Mapping[str, Any]) -> Vehicle:
 def option(key: str) -> str:
     """The option that says what a key of Experiment says."""
     return "--" + {"seconds": "duration"}.get(key, key).replace("_", "-")
-
-
-def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> Runs:
-    if asked.seed is None:
-        runs: Runs = stated(vehicle, made, reference)
-        return runs
-    spread = spread_of(vehicle, asked.box, asked.speed)
-    return drawn(made, reference, spread, [asked.seed])
 
 
 def spread_of(vehicle: Vehicle, box: float, speed: float) -> Spread:

@@ -176,3 +176,20 @@ def _beside(place: Path) -> Iterator[Path]:
     finally:
         with suppress(OSError):
             beside.unlink()
+
+
+def save_all(out: Path, files: Mapping[str, bytes]) -> None:
+    """Write files into a folder, all of them or none, beside whatever else it holds; OSError."""
+    out.mkdir(parents=True, exist_ok=True)
+    taken = next((out / name for name in files if (out / name).is_dir()), None)
+    if taken:
+        raise IsADirectoryError(EISDIR, os.strerror(EISDIR), str(taken))
+    with _locked(out):
+        beside = Path(tempfile.mkdtemp(dir=out, prefix=PART[0], suffix=PART[1]))
+        try:
+            (beside / "new").mkdir()
+            for name, content in files.items():
+                (beside / "new" / name).write_bytes(content)
+            _swap(out, beside, list(files))
+        finally:
+            shutil.rmtree(beside, ignore_errors=True)

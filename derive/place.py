@@ -24,6 +24,13 @@ def probe(path: Path, option: str) -> None:
         folder.probe(path)
 
 
+def probe_folder(place: Path, option: str = "--out") -> None:
+    """Make a folder and raise InputError where nothing can be written into it."""
+    with told(place, "a folder that can be written to", option):
+        place.mkdir(parents=True, exist_ok=True)
+        folder.probe(place / "probe")
+
+
 def strangers(place: Path) -> list[str]:
     """What a vehicle's folder holds that derive did not write. Raises InputError."""
     with told(place, "a folder that derive wrote, or none"):

@@ -121,13 +121,18 @@ def take_extras(d: Derivation, group: Group, options: tuple[str, ...]) -> Extras
     return Extras(**taken)
 
 
-def let_momentum(d: Derivation, system: MechanicalSystem, nu: Matrix, extras: Extras) -> Matrix:
-    """Step of the whole momentum, I nu, and that of the wheels where there are any."""
+def let_momentum(
+    d: Derivation, system: MechanicalSystem, nu: Matrix, extras: Extras, name: str = "nu"
+) -> Matrix:
+    """Step of the whole momentum, I nu, and that of the wheels where there are any.
+
+    name: of the velocity, where it is another
+    """
     unit = system.group.momentum_unit
     if any(extras.momentum):
         value = system.flat(nu) + extras.momentum
-        return d.let("whole_momentum", value, unit, "I nu and the internal momentum")
-    return d.let("momentum", system.flat(nu), unit, "I nu")
+        return d.let("whole_momentum", value, unit, f"I {name} and the internal momentum")
+    return d.let("momentum", system.flat(nu), unit, f"I {name}")
 
 
 def plant(group: Group, pattern: tuple[bool, ...], options: tuple[str, ...] = ()) -> Derivation:

@@ -76,7 +76,8 @@ def height(group: Group, morse: Morse) -> Derivation:
 def heights_of(group: Group) -> dict[str, Morse]:
     """The Morse functions of a group by name; the first is what its laws are judged by."""
     if group.factors:
-        return _of_product(group)
+        whole = added([next(iter(heights_of(factor).values())) for factor in group.factors])
+        return {whole.name: whole}
     found = _RECORDS.get(group.name, (_SQUARE,) if group.chart else (_OFF,))
     return {one.name: one for one in found}
 
@@ -173,9 +174,8 @@ def _carried(base: Group, profile: Profile) -> Callable[[Let, Group, Matrix], He
     return write
 
 
-def _of_product(group: Group) -> dict[str, Morse]:
-    """The first of each factor, added."""
-    each = [next(iter(heights_of(factor).values())) for factor in group.factors]
+def added(each: Sequence[Morse]) -> Morse:
+    """Of a product: one function of each factor, added."""
 
     def write(let: Let, whole: Group, g: Matrix) -> Height:
         rows = zip(each, whole.factors, MARKS, whole.split_element(g), strict=False)
@@ -191,11 +191,11 @@ def _of_product(group: Group) -> dict[str, Morse]:
     name = " + ".join(one.name for one in each)
     doc = " + ".join(one.doc for one in each)
     smooth = "; ".join(dict.fromkeys(one.smooth for one in each))
-    return {name: Morse(name, write, doc, smooth, _units(each))}
+    return Morse(name, write, doc, smooth, _units(each))
 
 
 def _units(each: Sequence[Morse]) -> str:
-    return ", ".join(dict.fromkeys(one.unit for one in each))
+    return ", ".join(dict.fromkeys(unit for one in each for unit in one.unit.split(", ")))
 
 
 _AT_PI, _EVERYWHERE = "off rotations by pi", "everywhere"

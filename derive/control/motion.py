@@ -11,7 +11,7 @@ from fractions import Fraction
 import sympy
 from sympy import Expr, Matrix, Rational, eye, zeros
 
-from derive.control.morse import Morse, heights_of
+from derive.control.morse import Morse, added, heights_of
 from derive.lie.cover import Let
 from derive.lie.family import MARKS
 from derive.lie.group import Group, marked
@@ -74,7 +74,12 @@ def deviation(group: Group) -> Derivation:
 
 
 def measure(group: Group) -> Morse:
-    """The Morse function an error is measured by: smooth at the identity; Psi on SO3."""
+    """The Morse function an error is measured by: smooth at the identity; Psi on SO3.
+
+    Of a product that of each factor, added.
+    """
+    if group.factors:
+        return added([measure(factor) for factor in group.factors])
     known = heights_of(group)
     return next((known[name] for name in ("Psi", "1 - q0") if name in known),
                 next(iter(known.values())))  # fmt: skip
@@ -122,11 +127,12 @@ def _exp(let: Let, X: Matrix) -> Matrix:
 def _equation(X: Matrix) -> list[Expr]:
     """c_0 … c_(d-1) of X^d + c_(d-1) X^(d-1) + … = 0, of the least degree d found.
 
-    From the characteristic polynomial: what divides it and vanishes at X is kept, exactly.
+    From the characteristic polynomial: what divides it and vanishes at X is kept, exactly. Its
+    square-free parts tell what is repeated; its factors are found by luck, and on SL3 at times not.
     """
     z = sympy.Symbol("z")
     whole = X.charpoly(z).as_expr()
-    _, factors = sympy.factor_list(whole, z, *sorted(X.free_symbols, key=str))
+    _, factors = sympy.sqf_list(whole, z, *sorted(X.free_symbols, key=str))
     powers = [[one, power] for one, power in factors if one.has(z)]
     for pair in powers:
         while pair[1] > 1 and _vanishes(X, z, _product(powers) / pair[0]):

@@ -5,8 +5,6 @@ What is commanded is the force I f_u: the sharp of the paper's f_u cancels again
 
 from __future__ import annotations
 
-from typing import Any
-
 from sympy import Expr, Matrix
 
 from derive.control.kinematic import KinematicLaw, apply
@@ -17,8 +15,16 @@ from derive.control.mechanics import (
     take_extras,
     take_system,
 )
+from derive.control.port import (
+    KINEMATIC,
+    RATE,
+    give_command,
+    take_gains,
+    take_reference,
+    take_state,
+)
 from derive.lie.group import Group
-from derive.routine.derivation import Derivation, Quantity
+from derive.routine.derivation import Derivation
 
 
 def tracking(
@@ -26,12 +32,11 @@ def tracking(
 ) -> Derivation:
     """Force that drives (g, nu) to the reference (g_r, nu_r); eq. (TckCtrl)."""
     d = Derivation("tracking", "force that drives (g, nu) to (g_r, nu_r)", "eq. (TckCtrl)")
-    system, rate_gain, reach_gain = _parameters(d, group, pattern)
-    g, nu = _state(d, group)
+    system = take_system(d, group, pattern)
+    rate_gain, reach_gain = take_gains(d, "gsmc")
+    g, nu = take_state(d, group)
     extras = take_extras(d, group, options)
-    g_r = _configuration(d, group, "g_r", "reference configuration", "reference")
-    nu_r = _velocity(d, group, "nu_r", "reference velocity, reference body frame", "nu")
-    nu_r_dot = _velocity(d, group, "nu_r_dot", "its rate", "nu_dot")
+    g_r, nu_r, nu_r_dot = take_reference(d, group)
 
     g_e = group.error(d.let, g_r, g)
     g_e = d.let("g_e", g_e, "1", "error, g_r^-1 g", "eq. (velErr)")
@@ -56,8 +61,9 @@ def reaching(
 ) -> Derivation:
     """Force that drives (g, nu) to the sliding subgroup, and so to rest; eq. (Ctrl2)."""
     d = Derivation("reaching", "force that drives (g, nu) to (e, 0)", "eq. (Ctrl2)")
-    system, rate_gain, reach_gain = _parameters(d, group, pattern)
-    g, nu = _state(d, group)
+    system = take_system(d, group, pattern)
+    rate_gain, reach_gain = take_gains(d, "reaching")
+    g, nu = take_state(d, group)
     extras = take_extras(d, group, options)
     nu_u, nu_u_dot, clearance = apply(law, d, group, g, nu)
     unit = group.unit
@@ -81,43 +87,8 @@ def _finish(
     clearance: Expr,
 ) -> Derivation:
     """force = coad(turning) I nu + I wanted, and the outputs every controller has."""
-    n, unit, force_unit = system.dim, system.group.unit, system.group.force_unit
     momentum = let_momentum(d, system, nu, extras)
     force = system.group.coad(turning) * momentum + system.flat(wanted) - extras.external
-    force = d.let("force", force, force_unit, "control force, I f_u", d.source)
-    for name, value, of, doc in (
-        ("force", force, force_unit, "control force"),
-        ("s", s, unit, "sliding variable"),
-        ("nu_u", nu_u, system.group.log_unit, "kinematic law"),
-        ("nu_u_dot", nu_u_dot, unit, "its exact rate"),
-    ):
-        d.give(Quantity(name, n, of, doc, place=f"command.{name}"), value)
-    near = "distance from the cut locus of the law"
-    d.give(Quantity("clearance", 1, "1", near, is_scalar=True, place="clearance"), clearance)
-    return d.pruned()
-
-
-def _parameters(
-    d: Derivation, group: Group, pattern: tuple[bool, ...]
-) -> tuple[MechanicalSystem, Any, Any]:
-    system = take_system(d, group, pattern)
-    lambda_ = Quantity("rate_gain", 1, "1/s", "sliding rate", is_scalar=True, place="params.lambda")
-    k_s = Quantity("reach_gain", 1, "1/s", "reaching rate", is_scalar=True, place="params.k_s")
-    return system, d.take(lambda_), d.take(k_s)
-
-
-def _state(d: Derivation, group: Group) -> tuple[Matrix, Matrix]:
-    g = _configuration(d, group, "g", "configuration", "state")
-    nu = Quantity("nu", group.dim, group.unit, "body velocity", place="state.nu")
-    return g, d.take(nu)
-
-
-def _configuration(d: Derivation, group: Group, name: str, doc: str, holder: str) -> Matrix:
-    size = len(group.identity)
-    doc = f"{doc}: {group.storage}"
-    return d.take(Quantity(name, size, "1", doc, place=f"{holder}.g"))
-
-
-def _velocity(d: Derivation, group: Group, name: str, doc: str, member: str) -> Matrix:
-    unit = group.acceleration_unit if member == "nu_dot" else group.unit
-    return d.take(Quantity(name, group.dim, unit, doc, place=f"reference.{member}"))
+    force = d.let("force", force, system.group.force_unit, "control force, I f_u", d.source)
+    law = (KINEMATIC, nu_u, system.group.log_unit), (RATE, nu_u_dot, system.group.unit)
+    return give_command(d, system.group, force, s, law, clearance)

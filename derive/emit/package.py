@@ -61,6 +61,7 @@ def _one(
         "residual": next((one for one in printed if one["name"] == "residual"), None),
         "kernels": kernels(derivations, scalar),
         "structs": _structs(printed[0]),
+        "command": [out for out in printed[0]["outputs"] if out["holder"] == "command"],
         "statuses": [list(status) for status in STATUSES],
         "first_bad": FIRST_BAD,
     }

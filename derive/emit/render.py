@@ -18,6 +18,9 @@ from derive.emit.target import SCALARS, TARGETS, Target
 
 WIDTH = 100
 
+BRIEF = {"control force": "force", "kinematic law": "law"}
+"""What a command holds, where nothing else can be meant."""
+
 
 @cache
 def environment() -> jinja2.Environment:
@@ -39,6 +42,7 @@ def environment() -> jinja2.Environment:
         comment=comment,
         sentence=sentence,
         batched=batched,
+        listed=listed,
         python_name=python_name,
         pack=pack,
         prototype=prototype,
@@ -107,6 +111,12 @@ def comment(quantity: Mapping[str, Any]) -> str:
 def sentence(text: str) -> str:
     """First letter upper, full stop at the end."""
     return f"{text[0].upper()}{text[1:]}."
+
+
+def listed(quantities: list[Mapping[str, Any]]) -> str:
+    """What quantities are, the last after `and`: force, sliding variable, law and its rate."""
+    *others, last = (BRIEF.get(one["doc"], one["doc"]) for one in quantities)
+    return f"{', '.join(others)} and {last}"
 
 
 def batched(shape: list[int]) -> str:

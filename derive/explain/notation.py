@@ -11,12 +11,14 @@ from dataclasses import dataclass
 GREEK = {
     "lambda": "λ",
     "eta": "η",
+    "kappa": "κ",
     "nu": "ν",
     "rho": "ρ",
     "phi": "φ",
     "sigma": "σ",
     "theta": "θ",
     "pi": "π",
+    "Omega": "Ω",
 }
 """Words that are letters of the paper."""
 

@@ -12,16 +12,23 @@ from derive.explain.notation import Notation
 from derive.routine.derivation import Derivation
 
 ROUTINES = {
-    "tracking": (
+    "eq. (TckCtrl)": (
         "force == coad(rate_gain*nu_u - eta)*{carried}"
         " + I*(eta_dot - rate_gain*nu_u_dot - reach_gain*s){less}"
     ),
-    "reaching": (
+    "eq. (Ctrl2)": (
         "force == coad(rate_gain*nu_u)*{carried} - I*(rate_gain*nu_u_dot + reach_gain*s){less}"
     ),
-    "plant": "I*nu_dot == coad(nu)*{carried} + force{plus}",
+    "eq. (EulerP)": "I*nu_dot == coad(nu)*{carried} + force{plus}",
+    "eq. (Ctrls2)": "force == -k*I*s + I*nu_r_dot - coad(nu)*{carried} - ad(nu)*nu_r{less}",
+    "eq. (Ctrls2) corrected": (
+        "force == -k*I*s + I*nu_r_dot - coad(nu)*{carried} + I*ad(nu)*nu_r{less}"
+    ),
+    "eq. (Ctrls3)": (
+        "force == -k_Omega*s + I*Ad(g_e**-1)*nu_r_dot - coad(eta)*{carried_by_eta}{less}"
+    ),
 }
-"""Routine -> what it computes as a whole; see EXTRAS for what stands in braces."""
+"""Equation of a routine -> what it computes as a whole; see EXTRAS for what stands in braces."""
 
 _ALL = ("tracking", "reaching", "plant")
 
@@ -34,12 +41,20 @@ STEPS = {
     **{(routine, "whole_momentum"): "whole_momentum == I*nu + momentum" for routine in _ALL},
     ("tracking", "force"): "force == coad(turning)*{whole} + I*wanted{less}",
     ("reaching", "force"): "force == coad(drive)*{whole} + I*wanted{less}",
+    ("tracking", "crossing"): "crossing == ad(nu)*nu_r",
+    ("tracking", "given"): "given == Ad(g_e**-1)*nu_r_dot",
+    ("eq. (Ctrls2)", "force"): "force == I*wanted - coad(nu)*{whole} - crossing{less}",
+    ("eq. (Ctrls2) corrected", "force"): "force == I*wanted - coad(nu)*{whole}{less}",
+    ("eq. (Ctrls3)", "momentum"): "momentum == I*eta",
+    ("eq. (Ctrls3)", "whole_momentum"): "whole_momentum == I*eta + momentum",
+    ("eq. (Ctrls3)", "force"): "force == I*given - coad(eta)*{whole} - k_Omega*s{less}",
     ("plant", "total"): "total == coad(nu)*{whole} + force{plus}",
 }
-"""(routine, step) -> the step without coordinates, where its entries do not say it already."""
+"""(routine or its equation, step) -> the step without coordinates, where entries do not say it."""
 
 EXTRAS = {
     "carried": ("momentum", "(I*nu + momentum)", "I*nu"),
+    "carried_by_eta": ("momentum", "(I*eta + momentum)", "I*eta"),
     "whole": ("momentum", "whole_momentum", "momentum"),
     "less": ("external", " - external", ""),
     "plus": ("external", " + external", ""),
@@ -66,7 +81,7 @@ CONSTANTS = {
 
 def routine(d: Derivation) -> str:
     """The formula of a routine as a whole; empty for one that the paper does not have."""
-    return _filled(ROUTINES.get(d.name, ""), d)
+    return _filled(ROUTINES.get(d.source, ""), d)
 
 
 def step(d: Derivation, name: str) -> str:
@@ -74,7 +89,8 @@ def step(d: Derivation, name: str) -> str:
 
     Where elements commute, whatever ad* acts on is not computed.
     """
-    source = _filled(STEPS.get((d.name, name), ""), d)
+    said_of = (STEPS.get((of, name)) for of in (d.source, d.name))
+    source = _filled(next(filter(None, said_of), ""), d)
     there = {one.name for one in d.inputs} | {one.quantity.name for one in d.steps}
     said = {one.id for one in ast.walk(ast.parse(source)) if isinstance(one, ast.Name)}
     return source if said <= there | {"I", "Ad", "ad", "coad"} else ""

@@ -111,6 +111,8 @@ class Library:
     ) -> Arrays:
         """Guarded law: force, s, nu_u, nu_u_dot, (…, n), and status, (…); SI units.
 
+        A baseline has no nu_u_dot, here and below.
+
         extras, here and below: `momentum` and `external`, (…, n), where the state holds them.
         """
         state = {"g": g, "nu": nu, **extras}
@@ -129,7 +131,7 @@ class Library:
         params: Fields | None = None,
         **extras: ArrayLike,
     ) -> Arrays:
-        """Bare law with a reference: force, s, nu_u, nu_u_dot, (…, n); eq. (TckCtrl)."""
+        """Bare law with a reference: force, s, nu_u, nu_u_dot, (…, n); eqs. (TckCtrl), (Ctrls2)."""
         state = {"g": g, "nu": nu, **extras}
         reference = {"g": g_r, "nu": nu_r, "nu_dot": nu_r_dot}
         return self.call("tracking", params=params, state=state, reference=reference)

@@ -17,11 +17,12 @@ from derive.vehicle.check import (
     check_symmetric,
     check_triangle,
 )
+from derive.vehicle.controller import check_controller, gains_of, law_by_default
 from derive.vehicle.experiment import Experiment, experiment
 from derive.vehicle.group import OwnGroup, law_of, spelled
 from derive.vehicle.key import EMIT_KEYS, HOMES, OPTION_KEYS, TOP_KEYS
 from derive.vehicle.lookup import Facts, check_law, look_up
-from derive.vehicle.number import matrix, positive, square
+from derive.vehicle.number import matrix, square
 from derive.vehicle.rigid import check_rigid
 from derive.vehicle.text import InputError, Table, described, read
 
@@ -35,8 +36,6 @@ TARGETS = ("c99", "numpy")
 DEFAULT_LAW = "log"
 DEFAULT_CONTROLLER = "gsmc"
 
-LARGEST_GAIN = Fraction(10**6)
-
 DIAGONAL = (
     "write [[J1, 0, 0], [0, J2, 0], [0, 0, J3]] for a diagonal inertia, or a [body] table with "
     "mass, center and moments in its place"
@@ -48,7 +47,7 @@ class Vehicle:
     """All that a vehicle file says; inertia (n, n) and gains are exact.
 
     Inertia in kg m^2, and in kg m and kg where the group translates. Gains are in the order of
-    their controller in CONTROLLERS, in 1/s.
+    their controller in CONTROLLERS, each in the unit that stands there.
 
     own:         the group, where the file describes it; `group` is then its name
     options:     those of OPTIONS that are asked for, sorted
@@ -83,21 +82,22 @@ def load(path: Path) -> Vehicle:
     top.only(TOP_KEYS, HOMES)
     _check_schema(top)
     controller = top.choice("controller", tuple(CONTROLLERS), DEFAULT_CONTROLLER)
-    gains, emit = top.table("gains"), top.table("emit")
-    gains.only(CONTROLLERS[controller], HOMES)
+    gains, emit = gains_of(top, controller), top.table("emit")
     emit.only(EMIT_KEYS, HOMES)
     name = top.word("name", 'a name for the vehicle, such as "cubesat"')
     check_name(top.file, name)
     group, own = spelled(top)
+    law = law_of(top, law_by_default(controller, DEFAULT_LAW))
+    check_controller(top, controller, group, law)
     options = _options(top)
     inertia, is_in_fluid = _inertia(top, group, own, "added_mass" in options)
     return Vehicle(
         name=name,
         group=group,
-        law=law_of(top, DEFAULT_LAW),
+        law=law,
         controller=controller,
         inertia=inertia,
-        gains=tuple((gain, _gain(gains, gain)) for gain in CONTROLLERS[controller]),
+        gains=gains,
         scalars=emit.choices("scalars", SCALARS),
         targets=emit.choices("targets", TARGETS),
         source=str(path),
@@ -164,9 +164,3 @@ def _inertia(
         remedy = "keep [body], or the inertia that stands at the top of the file"
         raise top.fault("body", "either a [body] or an inertia", "both", remedy)
     return assembled(top, group, own), is_in_fluid or has_added_mass(top)
-
-
-def _gain(gains: Table, name: str) -> Fraction:
-    """One gain, in 1/s."""
-    remedy = f"write {name} = 1.0, or another positive number without quotes, below [gains]"
-    return positive(gains, name, LARGEST_GAIN, remedy)

@@ -22,7 +22,7 @@ HOMES = {
     **dict.fromkeys(BODY_KEYS, "below [body]"),
     **dict.fromkeys(OPTION_KEYS, "below [options]"),
     "added_mass": "below [body] as a matrix, or below [options] as true",
-    **{gain: "below [gains]" for gains in CONTROLLERS.values() for gain in gains},
+    **{gain: "below [gains]" for one in CONTROLLERS.values() for gain in one.names},
     **dict.fromkeys(EMIT_KEYS, "below [emit]"),
     **dict.fromkeys(SIMULATE_KEYS, "below [simulate]"),
     **dict.fromkeys(REFERENCE_KEYS, "below [reference]"),

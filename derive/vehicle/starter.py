@@ -95,15 +95,16 @@ def starter(name: str, group: str, law: str | None = None) -> str:
     usual = _usual_law(group)
     if law is not None:
         check_law(COMMAND, group, law)
+    there = (name for name, one in CONTROLLERS.items() if one.exists_on(group))
     return TEMPLATE.format(
         name=name,
         schema=SCHEMA,
         group=group,
         law=law or usual,
         controller=DEFAULT_CONTROLLER,
-        controllers=", ".join(CONTROLLERS),
+        controllers=", ".join(there),
         inertia=_inertia(group),
-        gains="\n".join(f"{gain} = {GAINS[gain]}" for gain in CONTROLLERS[DEFAULT_CONTROLLER]),
+        gains="\n".join(f"{gain} = {value}" for gain, value in GAINS.items()),
         scalars=_array(SCALARS),
         targets=_array(TARGETS),
     )

@@ -37,7 +37,8 @@ def accuracy(subject: Subject) -> Iterator[Check]:
         for backend in backends:
             found = [backend.run(routine, batch.states) for routine in subject.routines]
             errors = _largest(batch, found)
-            for name, what in (("nu_u", "log"), ("nu_u_dot", "rate")):
+            judged = (("nu_u", "log"), ("nu_u_dot", "rate"))
+            for name, what in (pair for pair in judged if pair[0] in errors):
                 limit = limit_of(subject.vehicle, what)
                 yield from _split(f"{name}: truth", backend, errors[name], limit, batch)
             for name in ("force", "s"):
@@ -78,11 +79,11 @@ def ties(subject: Subject) -> Iterator[Check]:
 
 def forces(subject: Subject) -> Iterator[Check]:
     """The whole force and s against truth, along a moving reference."""
-    if not subject.has_reference:
+    if not subject.vehicle.has_reference:
         return
     each = max(1, subject.each // 4)
     for scalar, backends in by_scalar(subject):
-        batch = on_the_move(subject.vehicle, True, scalar, each, subject.seed)
+        batch = on_the_move(subject.vehicle, scalar, each, subject.seed)
         for backend in backends:
             errors = _largest(batch, [backend.run("tracking", batch.states)])
             for name in ("force", "s"):

@@ -17,7 +17,6 @@ from derive.verify.sample import States
 from derive.verify.shape import space
 
 Outputs = dict[str, NDArray[Any]]
-COMMAND = ("force", "s", "nu_u", "nu_u_dot")
 
 
 @dataclass(frozen=True)
@@ -34,13 +33,13 @@ class Backend:
     check_params: Callable[[Mapping[str, Any]], int]
 
 
-def numpy_backend(module: Any, vehicle: Plant, has_reference: bool) -> Backend:
+def numpy_backend(module: Any, vehicle: Plant) -> Backend:
     """The emitted numpy module, in double precision."""
 
     def run(routine: str, states: States, force: Any = None) -> Outputs:
         if routine == "plant":
             return {"nu_dot": module.plant(states.nu, *extras(vehicle, states), force)}
-        command = call(module, vehicle, routine, states, has_reference)
+        command = call(module, vehicle, routine, states)
         return command._asdict() if routine == "control" else _without_status(command._asdict())
 
     def check_params(given: Mapping[str, Any]) -> int:
@@ -55,14 +54,13 @@ def call(
     vehicle: Plant,
     routine: str,
     states: States,
-    has_reference: bool,
     params: Any = None,
 ) -> Any:
     """The command of a law of the numpy module."""
     shape = space(vehicle.space).element
     g, g_r = (x.reshape(-1, *shape) for x in (states.g, states.g_r))
     given = [g, states.nu, *extras(vehicle, states)]
-    if routine != "reaching" and has_reference:
+    if routine != "reaching" and vehicle.has_reference:
         given += [g_r, states.nu_r, states.nu_r_dot]
     return getattr(module, routine)(*given, *(() if params is None else (params,)))
 
@@ -72,7 +70,7 @@ def extras(vehicle: Plant, states: States) -> list[NDArray[Any]]:
     return [getattr(states, name) for name in ("momentum", "external") if name in vehicle.options]
 
 
-def c_backend(library: Library, scalar: str, vehicle: Plant, has_reference: bool) -> Backend:
+def c_backend(library: Library, scalar: str, vehicle: Plant) -> Backend:
     """Emitted C in one precision, compiled for this machine."""
 
     def run(routine: str, states: States, force: Any = None) -> Outputs:
@@ -81,7 +79,7 @@ def c_backend(library: Library, scalar: str, vehicle: Plant, has_reference: bool
             return {"nu_dot": library.plant(states.g, states.nu, force, **also)}
         if routine == "reaching":
             return library.reaching(states.g, states.nu, **also)
-        references = (states.g_r, states.nu_r, states.nu_r_dot) if has_reference else ()
+        references = (states.g_r, states.nu_r, states.nu_r_dot) if vehicle.has_reference else ()
         law = library.control if routine == "control" else library.tracking
         return law(states.g, states.nu, *references, **also)
 
@@ -92,7 +90,7 @@ def c_backend(library: Library, scalar: str, vehicle: Plant, has_reference: bool
 
 
 def backends(
-    name: str, texts: Mapping[str, str], folder: Path, vehicle: Plant, has_reference: bool
+    name: str, texts: Mapping[str, str], folder: Path, vehicle: Plant
 ) -> tuple[list[Backend], Any, list[str]]:
     """Write, compile and load a vehicle's files in folder.
 
@@ -106,7 +104,7 @@ def backends(
     module = None
     if f"numpy/{name}.py" in texts:
         module = load_module(folder / "numpy" / f"{name}.py")
-        found.append(numpy_backend(module, vehicle, has_reference))
+        found.append(numpy_backend(module, vehicle))
     for scalar in ("f64", "f32"):
         prefix = f"{name}_{scalar}"
         source = folder / "c" / "src" / f"{prefix}.c"
@@ -118,10 +116,10 @@ def backends(
             missing.append(f"C {scalar}: {error}")
             continue
         header = folder / "c" / "include" / f"{prefix}.h"
-        found.append(c_backend(Library(header, shared, prefix), scalar, vehicle, has_reference))
+        found.append(c_backend(Library(header, shared, prefix), scalar, vehicle))
     return found, module, missing
 
 
 def _without_status(command: Outputs) -> Outputs:
     """A bare law judges nothing."""
-    return {name: command[name] for name in COMMAND}
+    return {name: value for name, value in command.items() if name != "status"}

@@ -87,7 +87,7 @@ def ladder(vehicle: Plant, scalar: str, each: int, seed: int, *, is_moving: bool
 def at_rest(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch:
     """The identity as reference, where law and rate have no error of the product g_r^-1 g."""
     states = ladder(vehicle, scalar, samples(vehicle, each), seed, is_moving=False)
-    truth = reference.reaching(vehicle, states, scalar)
+    truth = reference.at_rest(vehicle, states, scalar)
     beyond = states.angle > np.pi
     far, eps = LIMITS["beyond_pi"].figure, EPS[scalar]
     log, rate = (
@@ -123,10 +123,10 @@ def turned(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch | None:
 
 
 @cache
-def on_the_move(vehicle: Plant, has_reference: bool, scalar: str, each: int, seed: int) -> Batch:
+def on_the_move(vehicle: Plant, scalar: str, each: int, seed: int) -> Batch:
     """Moving references, for the whole force and s."""
     states = ladder(vehicle, scalar, samples(vehicle, each), seed, is_moving=True)
-    run = reference.tracking if has_reference else reference.reaching
+    run = reference.tracking if vehicle.has_reference else reference.reaching
     truth = run(vehicle, states, scalar)
     whole = _everywhere(vehicle, truth, scalar) / truth.conditioning
     return Batch(states, truth, {"force": whole, "s": whole})
@@ -139,7 +139,7 @@ def at_ties(vehicle: Plant, scalar: str, seed: int) -> Batch | None:
     if vehicle.own or not turning or sample.reach(turning[0], vehicle.law) < np.pi:
         return None
     states = sample.ties(vehicle, scalar, np.random.default_rng(seed))
-    truth = reference.reaching(vehicle, states, scalar).first()
+    truth = reference.at_rest(vehicle, states, scalar).first()
     limit = LIMITS[limit_of(vehicle, "log")].figure * EPS[scalar]
     return Batch(states, truth, {"nu_u": np.full(len(states.angle), limit)})
 

@@ -28,7 +28,7 @@ def derivatives(subject: Subject) -> Iterator[Check]:
         return
     vehicle, rng = subject.vehicle, np.random.default_rng(subject.seed)
     angle = sample.smooth_angles(vehicle, SAMPLES, rng)
-    moving = subject.has_reference
+    moving = subject.vehicle.has_reference
     states = sample.states(vehicle, angle, "f64", rng, is_moving=moving, lengths=LENGTHS)
     whole, still = (_law(subject, at_rest) for at_rest in (False, True))
     eta = rates.body_reference(vehicle, states)
@@ -55,8 +55,8 @@ def _compared(
     if limit == "differences":
         scales = rates.step_scales(vehicle, states, np.asarray(mine["nu_u"]))
     for name, expected in theirs.items():
-        if name != "eta_dot" or subject.has_reference:
-            error = rates.relative(subject.vehicle, mine[name], expected, scales.get(name, 0.0))
+        if name != "eta_dot" or vehicle.has_reference:
+            error = rates.relative(vehicle, mine[name], expected, scales.get(name, 0.0))
             yield worst(f"{name}: {what}", "numpy f64", error, limit, states)
 
 
@@ -74,9 +74,8 @@ def _law(subject: Subject, at_rest: bool) -> rates.Law:
         if at_rest:
             zero = np.zeros_like(states.nu)
             states = replace(states, momentum=zero, external=zero)
-        routine = "tracking" if subject.has_reference else "reaching"
         params = unit if at_rest else subject.module.DEFAULTS
-        command = call(subject.module, vehicle, routine, states, subject.has_reference, params)
+        command = call(subject.module, vehicle, subject.law, states, params)
         outputs = {name: getattr(command, name) for name in ("force", "s", "nu_u", "nu_u_dot")}
         if at_rest:
             eta = states.nu - outputs["s"]

@@ -20,8 +20,9 @@ def lie_group(vehicle: Plant) -> Group:
     return of_basis(vehicle.group, vehicle.own, ("1/s",) * len(vehicle.own))
 
 
-def parts_of(vehicle: Plant, controller: str) -> Routines:
+def parts_of(vehicle: Plant) -> Routines:
     """Every derivation that the vehicle is emitted with."""
     group, n = lie_group(vehicle), len(vehicle.inertia)
     pattern = tuple(vehicle.inertia[i][j] != 0 for i in range(n) for j in range(i, n))
-    return routines(group, laws_of(group)[vehicle.law], controller, pattern, vehicle.options)
+    law = laws_of(group)[vehicle.law]
+    return routines(group, law, vehicle.controller, pattern, vehicle.options)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from derive.control.kinematic import laws_of
 from derive.emit.status import STATUSES
 from derive.emit.target import SCALARS
-from derive.verify.backend import COMMAND, Backend
+from derive.verify.backend import Backend
 from derive.verify.batch import at_rest, ladder
 from derive.verify.check import Check
 from derive.verify.derived import lie_group
@@ -43,7 +43,7 @@ def _lets_through(subject: Subject, backend: Backend) -> Check:
     clearance = batch.truth.branches[0]["clearance"][0][:, 0]
     expected, is_sure = _status(subject, clearance, backend.scalar)
     refused = (expected >= VALUE["NOT_ON_GROUP"])[:, None]
-    differ = [(command[n] != np.where(refused, 0.0, bare[n])).any(-1) for n in COMMAND]
+    differ = [(command[n] != np.where(refused, 0.0, bare[n])).any(-1) for n in bare]
     bad = is_sure & (np.any(differ, axis=0) | (command["status"] != expected))
     return rows("control: the law, and its status", backend.name, bad, batch.states)
 
@@ -63,7 +63,7 @@ def _refuses(subject: Subject, backend: Backend) -> Check:
     good = ladder(subject.vehicle, backend.scalar, 1, subject.seed, is_moving=True)
     kind = SCALARS[backend.scalar]
     inputs = ("g", "nu", *subject.vehicle.options)
-    inputs += ("g_r", "nu_r", "nu_r_dot") if subject.has_reference else ()
+    inputs += ("g_r", "nu_r", "nu_r_dot") if subject.vehicle.has_reference else ()
     bad = np.zeros(len(good.angle), dtype=bool)
     for name in inputs:
         harms = [(_with(good, name, value), status) for value, status in (
@@ -74,7 +74,7 @@ def _refuses(subject: Subject, backend: Backend) -> Check:
         for states, status in harms:
             command = backend.run("control", states)
             bad |= command["status"] != VALUE[status]
-            bad |= np.any([(command[n] != 0).any(-1) for n in COMMAND], axis=0)
+            bad |= np.any([(command[n] != 0).any(-1) for n in command if n != "status"], axis=0)
     return rows("control: bad input refused", backend.name, bad, good)
 
 
@@ -102,18 +102,18 @@ def _off_group(vehicle: Plant, states: States, name: str) -> Iterator[States]:
 
 def _judges_params(subject: Subject, backend: Backend) -> Check:
     """The vehicle's own parameters pass; each of a list of bad ones is refused."""
-    kept, gain, reach = subject.vehicle.stored(backend.scalar)
+    kept, _ = subject.vehicle.stored(backend.scalar)
+    gains = subject.vehicle.named_gains(backend.scalar)
     upper = np.array([kept[i][j] for i in range(len(kept)) for j in range(i, len(kept))])
     diagonal = np.array([i == j for i in range(len(kept)) for j in range(i, len(kept))])
     params: list[tuple[dict[str, Any], str]] = [
-        ({"inertia": upper, "lambda": gain, "k_s": reach}, "OK"),
+        ({"inertia": upper, **gains}, "OK"),
         ({"inertia": np.where(diagonal, -upper, upper)}, "BAD_PARAMS"),
         ({"inertia": np.where(diagonal, 0.0, upper)}, "BAD_PARAMS"),
         ({"inertia": upper * np.nan}, "BAD_PARAMS"),
-        ({"lambda": 0.0}, "BAD_PARAMS"),
-        ({"lambda": np.inf}, "BAD_PARAMS"),
-        ({"k_s": -1.0}, "BAD_PARAMS"),
     ]
+    bad = (0.0, -1.0, np.inf)
+    params += [({name: value}, "BAD_PARAMS") for name in gains for value in bad]
     for i in np.flatnonzero(diagonal):
         negative = np.where(np.arange(len(upper)) == i, -upper, upper)
         params.append(({"inertia": negative}, "BAD_PARAMS"))

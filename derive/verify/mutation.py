@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from derive.control.table import CONTROLLERS
 from derive.verify import rates, sample
 from derive.verify.batch import Batch, at_rest, at_ties, on_the_move, turned, under_force
 from derive.verify.check import Check
@@ -37,13 +38,12 @@ MOST = 3000
 
 def mutation(
     vehicle: Plant,
-    controller: str,
     each: int = 120,
     seed: int = 0,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Check]:
     """One check per routine: mutants that move an output and that no check caught."""
-    for routine, outcome in outcomes(vehicle, controller, each, seed, progress):
+    for routine, outcome in outcomes(vehicle, each, seed, progress):
         if outcome is None:
             continue
         caught = outcome.tried - len(outcome.missed) - len(outcome.equivalent)
@@ -68,7 +68,6 @@ def unjudged(vehicle: Plant) -> list[str]:
 
 def outcomes(
     vehicle: Plant,
-    controller: str,
     each: int = 120,
     seed: int = 0,
     progress: Callable[[str], None] = lambda _: None,
@@ -77,7 +76,7 @@ def outcomes(
 
     None for what nothing here can judge.
     """
-    parts = parts_of(vehicle, controller)
+    parts = parts_of(vehicle)
     least = LIMITS["mutant" if vehicle.own is None else "mutant_own"].figure
     run = partial(trial, most=MOST, seed=seed, least=least)
     for d in (parts.main, *parts.public, *parts.inner):
@@ -95,7 +94,7 @@ def _laws(routine: str) -> Callable[[Plant, int, int], Trial]:
         batches = [at_rest(vehicle, "f64", each, seed), at_ties(vehicle, "f64", seed)]
         batches.append(turned(vehicle, "f64", each, seed))
         if routine == "tracking":
-            batches.append(on_the_move(vehicle, True, "f64", max(1, each // 4), seed))
+            batches.append(on_the_move(vehicle, "f64", max(1, each // 4), seed))
         rng = np.random.default_rng([seed, 2])
         judged = [_case(vehicle, batch) for batch in batches if batch is not None]
         return judged, _wide(vehicle, rng)
@@ -159,9 +158,9 @@ def _inputs(vehicle: Plant, states: States) -> dict[str, Array]:
     count = len(states.angle)
     params = {
         "inertia": [float(value) for value in _upper(vehicle)],
-        "rate_gain": [float(vehicle.rate_gain)],
-        "reach_gain": [float(vehicle.reach_gain)],
     }
+    gains = zip(CONTROLLERS[vehicle.controller].gains, vehicle.gains, strict=True)
+    params |= {gain.symbol: [float(value)] for gain, value in gains}
     spread = {
         name: np.repeat(np.array(x, states.g.dtype)[:, None], count, 1)
         for name, x in params.items()

@@ -18,6 +18,7 @@ from derive.verify.limits import LIMITS
 from derive.verify.plant import Plant
 from derive.verify.sample import States
 from derive.verify.shape import Block, space
+from derive.verify.term import TERMS
 
 Array = NDArray[Any]
 
@@ -51,15 +52,8 @@ class Natural:
 
     def scales(self) -> dict[str, Array]:
         """Of every output, (N, blocks)."""
-        law, rate = self._of("nu_u"), np.maximum(self._of("nu_u_dot"), self.rate)
-        _, rate_gain, reach_gain = self.vehicle.stored("f64")
-        law = np.maximum(law, self.value)
-        drive = rate_gain * (law + (self.arm if self.states.nu_r.any() else 0.0))
-        s = self.speed + drive
-        turning = self.reference
-        wanted = self.growth + rate_gain * rate + reach_gain * s
-        push = self._flat(wanted) + self._carried(drive + turning)
-        push = push + lengths(self.blocks, self.states.external)
+        s, push = TERMS[self.vehicle.controller](self)
+        push = push + self.length("external")
         return {
             "nu_u": self.value,
             "nu_u_dot": self.rate,
@@ -72,8 +66,7 @@ class Natural:
         nu, given = (lengths(self.blocks, x) for x in (self.states.nu, self.states.nu_r_dot))
         speed, reference = self.speed, self.reference
         growth = self._swept(given) * self.spread + self._bracket(speed, reference)
-        _, rate_gain, reach_gain = self.vehicle.stored("f64")
-        force = self._flat(growth + (rate_gain + reach_gain) * speed)
+        force = self.flat(growth + sum(self.gains) * speed)
         rate = self._swept((nu + reference) / 2) * self.spread
         # What was found at rest is a force, less what the structure constants make of eta and nu.
         at_rest = np.einsum("ni,ijk,nj->nk", nu, self._structure, reference)
@@ -82,7 +75,7 @@ class Natural:
     def stepped(self) -> dict[str, Array]:
         """As terms, of differences: their step is an arc of the whole velocity, not of a block."""
         terms, whole = self.terms(), np.linalg.norm(self.speed, axis=-1, keepdims=True)
-        rate = np.maximum(terms["nu_u_dot"], self._of("nu_u") * (whole - self.speed))
+        rate = np.maximum(terms["nu_u_dot"], self.of("nu_u") * (whole - self.speed))
         return terms | {
             "nu_u_dot": rate,
             "eta_dot": np.maximum(terms["eta_dot"], self.reference * whole),
@@ -91,9 +84,29 @@ class Natural:
     def acceleration(self, force: Array) -> Array:
         """Of nu_dot under a force (N, n): of its terms, where they cancel, (N, blocks)."""
         pushed = lengths(self.blocks, force) + lengths(self.blocks, self.states.external)
-        pushed = pushed + self._carried(lengths(self.blocks, self.states.nu))
+        pushed = pushed + self.carried(lengths(self.blocks, self.states.nu))
         sharp = np.linalg.inv(np.array(self.vehicle.stored("f64")[0]))
         return self._mapped(sharp, pushed) / LIMITS["cancellation"].figure
+
+    @property
+    def gains(self) -> tuple[float, ...]:
+        """Gains in double."""
+        return self.vehicle.stored("f64")[1]
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the reference moves."""
+        return bool(self.states.nu_r.any())
+
+    def length(self, name: str) -> Array:
+        """Of what a state holds."""
+        return lengths(self.blocks, getattr(self.states, name))
+
+    def of(self, name: str) -> Array:
+        """Of an output of the truth; zero where it has none of that name."""
+        if name in self.outputs:
+            return lengths(self.blocks, self.outputs[name])
+        return np.zeros((len(self.states.angle), len(self.blocks)))
 
     @cached_property
     def blocks(self) -> tuple[Block, ...]:
@@ -119,7 +132,7 @@ class Natural:
         if "nu_e" not in self.outputs:
             return lengths(self.blocks, self.states.nu)
         terms = lengths(self.blocks, self.states.nu) + self.reference
-        return self._by_kind(self._of("nu_e"), terms, terms)
+        return self._by_kind(self.of("nu_e"), terms, terms)
 
     @cached_property
     def reference(self) -> Array:
@@ -130,7 +143,7 @@ class Natural:
     @cached_property
     def growth(self) -> Array:
         """Of its rate."""
-        given, own = lengths(self.blocks, self.states.nu_r_dot), self._of("eta_dot")
+        given, own = lengths(self.blocks, self.states.nu_r_dot), self.of("eta_dot")
         if not given.any():
             return own
         terms = self._swept(given) + self._bracket(self.speed, self.reference)
@@ -178,11 +191,6 @@ class Natural:
     def _start(self) -> list[Array]:
         return list(self._space.matrices(self.states.g_r.astype(np.float64)))
 
-    def _of(self, name: str) -> Array:
-        if name in self.outputs:
-            return lengths(self.blocks, self.outputs[name])
-        return np.zeros((len(self.states.angle), len(self.blocks)))
-
     def _by_kind(self, turn: Array, shift: Array, own: Array) -> Array:
         kinds = np.array([block.kind for block in self.blocks])
         return np.asarray(np.where(kinds == "turn", turn, np.where(kinds == "shift", shift, own)))
@@ -205,10 +213,9 @@ class Natural:
         """Of [x, y], from lengths, (N, blocks)."""
         return np.asarray(np.einsum("ni,ijk,nj->nk", x, self._structure.transpose(1, 2, 0), y))
 
-    def _carried(self, x: Array) -> Array:
-        """Of ad*_x (I nu + momentum), from lengths of x."""
-        whole = self._flat(lengths(self.blocks, self.states.nu))
-        whole = whole + lengths(self.blocks, self.states.momentum)
+    def carried(self, x: Array, nu: Array | None = None) -> Array:
+        """Of ad*_x (I nu + momentum), from lengths of x and of nu, which is the state's."""
+        whole = self.flat(self.length("nu") if nu is None else nu) + self.length("momentum")
         return np.asarray(np.einsum("ni,ijk,nj->nk", whole, self._structure, x))
 
     @cached_property
@@ -220,7 +227,7 @@ class Natural:
         rows = [block.rows for block in self.blocks]
         return np.array([[[c[i, j, k].max() for k in rows] for j in rows] for i in rows])
 
-    def _flat(self, x: Array) -> Array:
+    def flat(self, x: Array) -> Array:
         """Of I x, from lengths of x."""
         return self._mapped(np.array(self.vehicle.stored("f64")[0]), x)
 

@@ -1,4 +1,4 @@
-"""What the truth has to know of a vehicle: its group, its law, its numbers, its options."""
+"""What the truth has to know of a vehicle: its group, law, controller, numbers and options."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from derive.control.table import CONTROLLERS
+
 DTYPES = {"f32": np.float32, "f64": np.float64}
 
 Rows = tuple[tuple[Fraction, ...], ...]
@@ -14,7 +16,7 @@ Rows = tuple[tuple[Fraction, ...], ...]
 
 @dataclass(frozen=True)
 class Plant:
-    """The numbers of a vehicle, exact: inertia (n, n) and gains.
+    """The numbers of a vehicle, exact: inertia (n, n), and gains in the order of CONTROLLERS.
 
     own:     n matrices (m, m), the basis of a user's group; None for a group known by its name
     options: of "external" and "momentum", what the state holds besides
@@ -23,8 +25,8 @@ class Plant:
     group: str
     law: str
     inertia: Rows
-    rate_gain: Fraction
-    reach_gain: Fraction
+    gains: tuple[Fraction, ...]
+    controller: str = "gsmc"
     own: tuple[Rows, ...] | None = None
     options: tuple[str, ...] = ()
 
@@ -43,11 +45,30 @@ class Plant:
         """Whether every truth is one of unit quaternions."""
         return self.own is None and self.group in ("SO3", "S3")
 
-    def stored(self, scalar: str) -> tuple[list[list[float]], float, float]:
+    @property
+    def is_baseline(self) -> bool:
+        """Whether its controller is one that the paper compares with."""
+        return CONTROLLERS[self.controller].is_baseline
+
+    @property
+    def routines(self) -> tuple[str, ...]:
+        """Its laws by name, the guarded one first."""
+        return CONTROLLERS[self.controller].routines
+
+    @property
+    def has_reference(self) -> bool:
+        """Whether the controller tracks; otherwise only the reaching law is there."""
+        return "tracking" in self.routines
+
+    def stored(self, scalar: str) -> tuple[list[list[float]], tuple[float, ...]]:
         """Inertia and gains as that scalar keeps them."""
 
         def kept(value: Fraction) -> float:
             return float(np.asarray(float(value), DTYPES[scalar]))
 
         inertia = [[kept(value) for value in row] for row in self.inertia]
-        return inertia, kept(self.rate_gain), kept(self.reach_gain)
+        return inertia, tuple(map(kept, self.gains))
+
+    def named_gains(self, scalar: str) -> dict[str, float]:
+        """Gains as that scalar keeps them, by their names on the target."""
+        return dict(zip(CONTROLLERS[self.controller].names, self.stored(scalar)[1], strict=True))

@@ -71,8 +71,8 @@ def twin(vehicle: Plant, states: States) -> dict[str, Array]:
     """nu_u, nu_u_dot, eta_dot and force of the printed formulas, differentiated by CasADi."""
     names = ("nu", "nu_r", "nu_r_dot", "momentum", "external")
     given: dict[str, Any] = {name: getattr(states, name) for name in names}
-    inertia, rate_gain, reach_gain = vehicle.stored("f64")
-    given |= {"inertia": np.array(inertia), "lambda": rate_gain, "k_s": reach_gain}
+    inertia, _ = vehicle.stored("f64")
+    given |= {"inertia": np.array(inertia), **vehicle.named_gains("f64")}
     if vehicle.is_attitude:
         given |= {"g": states.g, "g_r": states.g_r}
         return casadi_twin.evaluate(casadi_twin.twin(vehicle.group, vehicle.law), given)
@@ -87,7 +87,7 @@ def whole_force(
     vehicle: Plant, states: States, eta: Array, nu_u: Array, eta_dot: Array, nu_u_dot: Array
 ) -> Array:
     """I f_u as eq. (TckCtrl) prints it, from rates found elsewhere, (N, n)."""
-    rows, rate_gain, reach_gain = vehicle.stored("f64")
+    rows, (rate_gain, reach_gain) = vehicle.stored("f64")
     inertia, nu = np.array(rows), states.nu
     turning = rate_gain * nu_u - eta
     s = nu - eta + rate_gain * nu_u

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from derive.verify.branch import Turn, at_cut, clearance, rotations, turns
 from derive.verify.limits import EPS
 from derive.verify.natural import Natural, blocks_of
-from derive.verify.oracle import matrix_truth, truth
+from derive.verify.oracle import baseline_truth, matrix_truth, truth
 from derive.verify.plant import Plant
 from derive.verify.sample import States
 from derive.verify.shape import Block
@@ -90,11 +90,15 @@ def block_scale(blocks: tuple[Block, ...], x: Array, given: Array | float) -> Ar
 
 
 def tracking(vehicle: Plant, states: States, scalar: str) -> Truth:
-    """Truth of the tracking law, eq. (TckCtrl), on the stored numbers of that scalar."""
+    """Truth of the tracking law, eqs. (TckCtrl), (Ctrls2), (Ctrls3), on the stored numbers."""
 
     def one(row: int, flips: tuple[int, ...]) -> dict[str, Any]:
         at = _row(states, row, "g_r", "g", "nu", "nu_r", "nu_r_dot", *STATE)
-        numbers: Any = (vehicle.law, *vehicle.stored(scalar), *at)
+        inertia, gains = vehicle.stored(scalar)
+        if vehicle.is_baseline:
+            name, given = vehicle.controller, vehicle.named_gains(scalar)
+            return baseline_truth.tracking(name, inertia, given, *at, flip=bool(flips))
+        numbers: Any = (vehicle.law, inertia, *gains, *at)
         if vehicle.is_attitude:
             return truth.tracking(vehicle.group, *numbers, flip=bool(flips))
         return matrix_truth.tracking(vehicle.space, *numbers, flips=flips)
@@ -107,12 +111,19 @@ def reaching(vehicle: Plant, states: States, scalar: str) -> Truth:
 
     def one(row: int, flips: tuple[int, ...]) -> dict[str, Any]:
         at = _row(states, row, "g", "nu", *STATE)
-        numbers: Any = (vehicle.law, *vehicle.stored(scalar), *at)
+        inertia, gains = vehicle.stored(scalar)
+        numbers: Any = (vehicle.law, inertia, *gains, *at)
         if vehicle.is_attitude:
             return truth.reaching(vehicle.group, *numbers, flip=bool(flips))
         return matrix_truth.reaching(vehicle.space, *numbers, flips=flips)
 
     return _table(one, vehicle, states, scalar)
+
+
+def at_rest(vehicle: Plant, states: States, scalar: str) -> Truth:
+    """Truth of every law of the vehicle, with the identity at rest as reference."""
+    run = tracking if vehicle.is_baseline else reaching
+    return run(vehicle, states, scalar)
 
 
 def turned(vehicle: Plant, states: States, scalar: str) -> Truth:
@@ -181,7 +192,7 @@ def _table(
 
 
 def _pairs(vehicle: Plant, rows: list[dict[str, Any]]) -> dict[str, Pair]:
-    found = {name: _pair([row[name] for row in rows]) for name in OUTPUTS}
+    found = {name: _pair([row[name] for row in rows]) for name in OUTPUTS if name in rows[0]}
     off = [(clearance(vehicle, turns(vehicle, row)),) for row in rows]
     return found | {"clearance": _pair(off)}
 

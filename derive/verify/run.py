@@ -19,7 +19,6 @@ def run(
     texts: Mapping[str, str],
     vehicle: Plant,
     *,
-    controller: str,
     each: int = 120,
     seed: int = 0,
     with_mutants: bool = False,
@@ -32,11 +31,10 @@ def run(
     """
     with tempfile.TemporaryDirectory(prefix="derive-") as folder:
         progress("compiling")
-        has_reference = controller != "reaching"
-        found, module, missing = backends(name, texts, Path(folder), vehicle, has_reference)
-        subject = Subject(vehicle, has_reference, tuple(found), module, each, seed)
+        found, module, missing = backends(name, texts, Path(folder), vehicle)
+        subject = Subject(vehicle, tuple(found), module, each, seed)
         lines = list(checks(subject, progress))
         if with_mutants:
-            lines += mutation(vehicle, controller, each, seed, progress)
+            lines += mutation(vehicle, each, seed, progress)
             missing += unjudged(vehicle)
     return Report(name, tuple(lines), tuple(missing))

@@ -22,12 +22,10 @@ Array = NDArray[Any]
 class Subject:
     """A vehicle as emitted: its numbers, its backends, its numpy module (or None).
 
-    has_reference: whether the controller tracks; otherwise only the reaching law is there
     each: samples per rung of the angle ladder
     """
 
     vehicle: Plant
-    has_reference: bool
     backends: tuple[Backend, ...]
     module: Any
     each: int = 120
@@ -36,7 +34,7 @@ class Subject:
     @property
     def routines(self) -> tuple[str, ...]:
         """The emitted laws: the guarded one first."""
-        return ("tracking", "reaching") if self.has_reference else ("reaching",)
+        return self.vehicle.routines
 
     @property
     def law(self) -> str:

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from derive.verify import symbolic
+from derive.control.table import CONTROLLERS
+from derive.verify import closed, symbolic
 from derive.verify.accuracy import accuracy, forces, plants, rotations, ties
 from derive.verify.batch import ladder
 from derive.verify.check import Check
@@ -19,20 +20,10 @@ from derive.verify.subject import Subject, rows
 
 def checks(subject: Subject, progress: Callable[[str], None] = lambda _: None) -> Iterator[Check]:
     """All checks, in the order they are shown; progress is told what comes next."""
-    plan: tuple[tuple[str, Callable[[Subject], Iterator[Check]]], ...] = (
-        ("kernel and chain rule in 50 digits", symbolics),
-        ("law and rate against truth", accuracy),
-        ("rotations against truth", rotations),
-        ("side at the cut locus", ties),
-        ("force against truth", forces),
-        ("plant against truth", plants),
-        ("differences along the flow", derivatives),
-        ("backends against each other", agreement),
-        ("the guard", guard),
-    )
-    for what, run in plan:
-        progress(what)
-        yield from run(subject)
+    for what, run, of in PLAN:
+        if subject.vehicle.controller in of:
+            progress(what)
+            yield from run(subject)
 
 
 def symbolics(subject: Subject) -> Iterator[Check]:
@@ -42,6 +33,13 @@ def symbolics(subject: Subject) -> Iterator[Check]:
     yield Check("kernel k, h, m: identities", "derivation", kernel, exact, points)
     rule = symbolic.chain_rule_residual(subject.vehicle, points := 6, seed)
     yield Check("nu_u_dot: chain rule", "derivation", rule, exact, points)
+
+
+def loops(subject: Subject) -> Iterator[Check]:
+    """What the controller makes of the plant, as an identity."""
+    off = closed.lsf_residual(subject.vehicle, points := 6, subject.seed)
+    name = "loop: I (nu' - nu_r' - nu x nu_r) = -k I s"
+    yield Check(name, "derivation", off, LIMITS["symbolic"], points)
 
 
 def agreement(subject: Subject) -> Iterator[Check]:
@@ -64,3 +62,22 @@ def agreement(subject: Subject) -> Iterator[Check]:
 
 def _moving(subject: Subject, scalar: str) -> States:
     return ladder(subject.vehicle, scalar, subject.each, subject.seed, is_moving=True)
+
+
+EVERY = tuple(CONTROLLERS)
+RATED = tuple(name for name, one in CONTROLLERS.items() if not one.is_baseline)
+"""Controllers whose law has an exact rate; those the paper compares with need none."""
+
+PLAN: tuple[tuple[str, Callable[[Subject], Iterator[Check]], tuple[str, ...]], ...] = (
+    ("kernel and chain rule in 50 digits", symbolics, RATED),
+    ("the loop that closes, in 50 digits", loops, ("lsf",)),
+    ("law and rate against truth", accuracy, EVERY),
+    ("rotations against truth", rotations, EVERY),
+    ("side at the cut locus", ties, EVERY),
+    ("force against truth", forces, EVERY),
+    ("plant against truth", plants, EVERY),
+    ("differences along the flow", derivatives, RATED),
+    ("backends against each other", agreement, EVERY),
+    ("the guard", guard, EVERY),
+)
+"""What is checked, by what, and of which controllers."""

@@ -31,6 +31,15 @@ def is_tracking(vehicle: Vehicle) -> bool:
     return vehicle.controller != "reaching"
 
 
+def is_baseline(vehicle: Vehicle) -> bool:
+    return vehicle.controller in ("lsf_printed", "lsf", "pd_plus")
+
+
+def command(vehicle: Vehicle) -> tuple[str, ...]:
+    """What a command of the vehicle holds besides its status."""
+    return ("force", "s", "nu_u", "nu_u_dot")[: 3 if is_baseline(vehicle) else 4]
+
+
 def good(vehicle: Vehicle, seed: int = 1, angle: float = 1.0) -> Row:
     """A state and a reference an angle apart, velocities of order one."""
     random, known = np.random.default_rng(seed), group(vehicle)

@@ -1,6 +1,6 @@
 /*
  * Calls `control` on bit patterns from a fixed seed and judges what comes back by itself.
- * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, ROWS, HAS_REFERENCE and HAS_RESIDUAL come from
+ * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, FIELDS, ROWS, HAS_REFERENCE and HAS_RESIDUAL come from
  * the command line, ELEMENTS and their number from elements.h. Prints how often a status came back.
  */
 #include <math.h>
@@ -19,7 +19,7 @@
 enum {
     STATE = sizeof(NAME(state)) / sizeof(REAL), /* g, nu, and what else the state holds */
     WIDTH = STATE + STORED + 2 * DIM,
-    COMMAND = 4 * DIM
+    COMMAND = FIELDS * DIM
 };
 
 typedef struct {

@@ -46,7 +46,9 @@ def _made(
         [(Fraction(5 + i) if i == j else Fraction(i + j, 10)) * present(i, j) for j in range(n)]
         for i in range(n)
     ]
-    gains = tuple((name, Fraction(2 + k, 4)) for k, name in enumerate(CONTROLLERS[controller]))
+    gains = tuple(
+        (name, Fraction(2 + k, 4)) for k, name in enumerate(CONTROLLERS[controller].names)
+    )
     words = (group.lower().replace(" x ", "_"), law, controller, pattern, *options)
     units = ALL[group].units
     return Vehicle(
@@ -111,13 +113,15 @@ STEERED = tuple(
         ("R3", "log"),
         ("SL2", "skew"),
     )
-    for controller in CONTROLLERS
-    if controller != "gsmc"
+    for controller, one in CONTROLLERS.items()
+    if controller != "gsmc" and one.law in (None, law) and one.exists_on(group)
 )
 OPTED = (
     _made("SE3", "log", "gsmc", "full", "external", "momentum"),
     _made("S3", "vec", "reaching", "full", "momentum"),
     _made("S3 x SE2", "log", "gsmc", "diagonal", "external"),
+    _made("SO3", "skew", "lsf", "partial", "external", "momentum"),
+    _made("SO3", "lee", "pd_plus", "diagonal", "external", "momentum"),
 )
 """With wheels, and with a known force."""
 

@@ -17,13 +17,12 @@ from derive.native.compile import Compiler
 from derive.native.load import Library, load_module
 from derive.vehicle import Vehicle
 from tests.emit import elements, subjects
-from tests.emit.cases import NONFINITE, RANGE, Case, Row, cases, good, is_tracking
+from tests.emit.cases import NONFINITE, RANGE, Case, Row, cases, command, good, is_tracking
 from tests.emit.elements import AXES, Array, element
 from tests.emit.subjects import FILES, GUARDED, STEERED, group
 
 SCALARS = ("f32", "f64")
 TYPE = {"f32": ("float", "uint32_t"), "f64": ("double", "uint64_t")}
-COMMAND = ("force", "s", "nu_u", "nu_u_dot")
 
 every_vehicle = pytest.mark.parametrize("vehicle", GUARDED, ids=lambda v: v.name)
 every_scalar = pytest.mark.parametrize("scalar", SCALARS)
@@ -72,7 +71,7 @@ def agree(vehicle: Vehicle, rows: Row, folder: Path) -> None:
     in_c = called(library(vehicle, "f64", folder), rows)
     in_numpy = by_numpy(vehicle, rows, folder)
     np.testing.assert_array_equal(in_numpy.status, in_c["status"])
-    for field in COMMAND:
+    for field in command(vehicle):
         found, wanted = getattr(in_numpy, field), in_c[field]
         size = np.maximum(np.abs(wanted).max(axis=-1), 1e-300)
         assert np.max(np.abs(found - wanted).max(axis=-1) / size) <= 1e-13, field
@@ -91,7 +90,7 @@ def test_every_case_gets_its_status(folder: Path, vehicle: Vehicle, scalar: str)
     ]
     assert wrong == []
     refused = got["status"] >= FIRST_BAD
-    for field in COMMAND:
+    for field in command(vehicle):
         assert np.isfinite(got[field]).all()
         assert not got[field][refused].any()
     assert got["force"][~refused].any(-1).all()
@@ -138,15 +137,15 @@ def test_unchecked_parameters_give_a_finite_force(
             bad = {name: np.full_like(built.defaults[name], value)}
             got = called(built, row, params=bad)
             assert got["status"] == NONFINITE
-            assert not any(got[field].any() for field in COMMAND)
+            assert not any(got[field].any() for field in command(vehicle))
     made, wide = module(vehicle, folder), {name: value[None] for name, value in row.items()}
     for name in made.DEFAULTS._fields:
         params = made.DEFAULTS._replace(
             **{name: np.full_like(getattr(made.DEFAULTS, name), np.nan)}
         )
-        command = by_numpy(vehicle, wide, folder, params=params)
-        assert command.status.tolist() == [NONFINITE]
-        assert not any(getattr(command, field).any() for field in COMMAND)
+        found = by_numpy(vehicle, wide, folder, params=params)
+        assert found.status.tolist() == [NONFINITE]
+        assert not any(getattr(found, field).any() for field in command(vehicle))
 
 
 POLES = [v for v in GUARDED if (found := elements.cut(group(v), v.law)) and found[1]]
@@ -196,6 +195,7 @@ def fuzzer(vehicle: Vehicle, scalar: str, folder: Path) -> Path:
     known, prefix = group(vehicle), f"{vehicle.name}_{scalar}"
     given = {"HEADER": f'"{prefix}.h"', "PREFIX": prefix, "MACRO": prefix.upper(), "REAL": real}
     given |= {"BITS": bits, "STORED": str(known.size), "DIM": str(known.dim)}
+    given |= {"FIELDS": str(len(command(vehicle)))}
     given |= {"HAS_REFERENCE": str(int(is_tracking(vehicle))), "ROWS": str(rows(vehicle))}
     given |= {"HAS_RESIDUAL": str(int(has_residual(vehicle)))}
     # A singular matrix is no element of GL(2), and no equation says so: 1/det g is infinite there,

@@ -12,7 +12,7 @@ import pytest
 from derive.native.load import load_module
 from derive.vehicle import Vehicle
 from tests.emit import subjects
-from tests.emit.cases import is_tracking
+from tests.emit.cases import command, is_tracking
 from tests.emit.elements import Array, element
 from tests.emit.subjects import ALIKE, FILES, GUARDED, group
 from tests.oracle import truth
@@ -28,7 +28,6 @@ SHAPES: tuple[tuple[int, ...], ...] = (
     (4096,),
     (4097,),
 )
-COMMAND = ("force", "s", "nu_u", "nu_u_dot")
 
 every_vehicle = pytest.mark.parametrize("vehicle", ALIKE, ids=lambda v: v.name)
 
@@ -81,7 +80,7 @@ def test_a_batch_is_its_rows(folder: Path, vehicle: Vehicle, shape: tuple[int, .
         whole = routine(**given)
         assert whole.status.shape == shape
         assert whole.status.dtype.kind == "i"
-        for field in COMMAND:
+        for field in command(vehicle):
             assert getattr(whole, field).shape == (*shape, group(vehicle).dim)
             assert getattr(whole, field).dtype == np.float64
         alone = rows(given, len(shape))
@@ -154,7 +153,7 @@ def test_a_complex_step_runs_through_the_law(folder: Path, vehicle: Vehicle) -> 
         way = np.random.default_rng(1).normal(size=given[name].shape)
         stepped = routine(**{**given, name: given[name] + 1e-100j * way})
         sides = [routine(**{**given, name: given[name] + sign * step * way}) for sign in (1, -1)]
-        for field in COMMAND:
+        for field in command(vehicle):
             slope = np.imag(getattr(stepped, field)) / 1e-100
             central = (getattr(sides[0], field) - getattr(sides[1], field)) / (2 * step)
             size = 1 + np.abs(central).max()

@@ -15,13 +15,14 @@ import pytest
 
 from derive.native.load import Library, load_module
 from derive.vehicle import Vehicle
+from derive.verify.oracle import baseline_truth
+from tests.control.drawn import square
 from tests.emit import subjects
-from tests.emit.cases import Row, is_tracking
+from tests.emit.cases import Row, command, is_baseline, is_tracking
 from tests.emit.elements import AXES, element, velocity
 from tests.emit.subjects import GUARDED, Array, group
 from tests.oracle import truth
 
-COMMAND = ("force", "s", "nu_u", "nu_u_dot")
 WITHIN = {"f64": 1e-12, "f32": 5e-4}
 """Of a command, relative to its largest part over the batch."""
 
@@ -74,10 +75,23 @@ def test_c_in_double_and_numpy_agree_bit_for_bit(folder: Path, vehicle: Vehicle)
     rows = batch(vehicle, 24)
     compiled = in_c(library(vehicle, "f64", folder), vehicle, rows)
     plain = in_numpy(module(vehicle, folder), vehicle, rows)
-    for field in COMMAND:
+    for field in command(vehicle):
         np.testing.assert_array_equal(compiled[field], getattr(plain, field), err_msg=field)
         assert np.isfinite(compiled[field]).all()
     assert compiled["force"].any()
+
+
+def papers(vehicle: Vehicle, params: dict[str, Any], row: dict[str, Any]) -> dict[str, Any]:
+    """The command by the paper's formulas, in 130 digits."""
+    if is_baseline(vehicle):
+        gains = {name: value for name, value in params.items() if name != "inertia"}
+        inertia = square(params["inertia"])
+        return baseline_truth.tracking(vehicle.controller, inertia, gains, **row)
+    known = truth(group(vehicle))
+    named = {"rate_gain": params["lambda"], "reach_gain": params["k_s"]}
+    given = {"inertia": params["inertia"], **named, **row}
+    write = known.tracking if is_tracking(vehicle) else known.reaching
+    return write(vehicle.law, given)
 
 
 @every_vehicle
@@ -86,22 +100,20 @@ def test_the_command_is_the_papers(folder: Path, vehicle: Vehicle, scalar: str) 
     """From what is stored in that scalar, taken exactly."""
     kind = {"f32": np.float32, "f64": np.float64}[scalar]
     rows = {name: x.astype(kind).astype(float) for name, x in batch(vehicle, 3).items()}
-    built, known = library(vehicle, scalar, folder), truth(group(vehicle))
-    gains = {"rate_gain": built.defaults["lambda"], "reach_gain": built.defaults["k_s"]}
-    fixed = {name: float(x) for name, x in gains.items()}
-    fixed["inertia"] = built.defaults["inertia"].astype(float).tolist()
+    built = library(vehicle, scalar, folder)
+    params = {name: x.astype(float).tolist() for name, x in built.defaults.items()}
     found = in_c(built, vehicle, rows)
-    write = known.tracking if is_tracking(vehicle) else None
     for i in range(3):
-        given = fixed | {name: x[i].tolist() for name, x in rows.items()}
-        wanted = write(vehicle.law, given) if write else known.reaching(vehicle.law, given)
-        for field in COMMAND:
+        wanted = papers(vehicle, params, {name: x[i].tolist() for name, x in rows.items()})
+        for field in command(vehicle):
             exact = np.array(wanted[field], float)
             size = 1 + np.abs(exact).max()
             assert np.abs(found[field][i] - exact).max() <= WITHIN[scalar] * size, (i, field)
 
 
-@every_vehicle
+@pytest.mark.parametrize(
+    "vehicle", [v for v in GUARDED if not is_baseline(v)], ids=lambda v: v.name
+)
 def test_the_rate_is_the_complex_step_of_the_law(folder: Path, vehicle: Vehicle) -> None:
     """Along g' = g hat(nu), through the emitted numpy of `reaching`."""
     known, made = group(vehicle), module(vehicle, folder)

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from derive.vehicle.file import Vehicle
 from derive.vehicle.group import OwnGroup, group_of
-from tests.emit.subjects import FILES, LAWFUL, STEERED
+from tests.emit.subjects import FILES, LAWFUL, OPTED, STEERED
 
 OPTIONS = ("external", "momentum")
 
@@ -54,6 +54,7 @@ SUBJECTS = (
         if one.group in _ROTATIONS or (one.law == "log" and one.group != "SE23")
     ),
     *(one for one in STEERED if one.group in _ROTATIONS),
+    *(one for one in OPTED if one.group in _ROTATIONS),
     *OPTIONAL,
 )
 

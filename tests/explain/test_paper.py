@@ -108,11 +108,12 @@ def test_every_formula_holds(vehicle: Vehicle) -> None:
 
 def test_every_formula_is_of_a_step_that_exists() -> None:
     found = {
-        (d.name, step.quantity.name)
+        (of, step.quantity.name)
         for vehicle in SUBJECTS
         for parts in [pipeline.derivations(vehicle)]
         for d in (parts.main, *parts.public)
         for step in d.steps
+        for of in (d.name, d.source)
     }
     assert sorted(set(paper.STEPS) - found) == []
 

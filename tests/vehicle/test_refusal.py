@@ -67,7 +67,7 @@ BAD = [
     ("odd_key", with_line('"\\u001b[31m" = 1'), r"'\x1b[31m'", "name", "unknown key", "remove"),
     ("unknown_table", GOOD + "[emitt]\n", "emitt", "emit", "unknown key", "write emit"),
     ("unknown_gain", GOOD + "k_z = 1\n", "gains.k_z", "lambda, k_s", "unknown key", "write k_s"),
-    ("other_gain", GOOD + "kappa = 1\n", "gains.kappa", "lambda, k_s", "unknown key", "remove"),
+    ("other_gain", GOOD + "kappa = 1\n", "gains.kappa", "of gsmc", "lsf_printed, lsf", '"lsf"'),
     ("unknown_emit", with_emit("scalar = []"), "emit.scalar", "scalars", "unknown", "scalars"),
     ("below", GOOD + 'law = "log"\n', "gains.law", "lambda", "unknown key", "above the first"),
     ("above", with_line("k_s = 1"), "k_s", "inertia", "unknown key", "move k_s below [gains]"),

@@ -11,6 +11,7 @@ from derive.control.table import CONTROLLERS
 from derive.lie import basis
 from derive.vehicle import body as vehicle_body
 from derive.vehicle import check as vehicle_check
+from derive.vehicle import controller as vehicle_controller
 from derive.vehicle import experiment as vehicle_experiment
 from derive.vehicle import file as vehicle
 from derive.vehicle import group as vehicle_group
@@ -94,8 +95,13 @@ def test_gains_are_those_of_each_controller() -> None:
         rule["if"]["properties"]["controller"]["const"]: rule["then"]["properties"]["gains"]
         for rule in SCHEMA["allOf"]
     }
-    assert {name: tuple(rule["properties"]) for name, rule in gains.items()} == CONTROLLERS
-    assert {name: tuple(rule["required"]) for name, rule in gains.items()} == CONTROLLERS
+    known = {name: one.names for name, one in CONTROLLERS.items()}
+    assert {name: tuple(rule["properties"]) for name, rule in gains.items()} == known
+    assert {name: tuple(rule["required"]) for name, rule in gains.items()} == known
+    units = {name: tuple(gain.unit for gain in one.gains) for name, one in CONTROLLERS.items()}
+    described = {name: rule["properties"].values() for name, rule in gains.items()}
+    assert {name: tuple(g["description"] for g in of) for name, of in described.items()} == units
+
     assert not any(rule["additionalProperties"] for rule in gains.values())
     is_implied = {  # a rule without "required" applies to a file that leaves the controller out
         rule["if"]["properties"]["controller"]["const"]: "required" not in rule["if"]
@@ -104,13 +110,24 @@ def test_gains_are_those_of_each_controller() -> None:
     assert is_implied == {name: name == vehicle.DEFAULT_CONTROLLER for name in CONTROLLERS}
 
 
+def test_group_and_law_are_those_of_each_controller() -> None:
+    """What a controller has of its own, and nothing of the others."""
+    then = {
+        rule["if"]["properties"]["controller"]["const"]: rule["then"]["properties"]
+        for rule in SCHEMA["allOf"]
+    }
+    for name, one in CONTROLLERS.items():
+        assert then[name].get("law", {}).get("const") == one.law
+        assert tuple(then[name].get("group", {}).values()) == one.groups
+
+
 def test_bounds_are_those_of_the_reader() -> None:
     assert KEYS["inertia"]["$ref"] == "#/$defs/matrix"
     matrix = SCHEMA["$defs"]["matrix"]
     row = matrix["items"]
     assert matrix["maxItems"] == row["maxItems"] == vehicle_number.LARGEST_DIMENSION
     assert row["items"]["maximum"] == -row["items"]["minimum"] == vehicle_number.LARGEST_ENTRY
-    assert SCHEMA["$defs"]["gain"]["maximum"] == vehicle.LARGEST_GAIN
+    assert SCHEMA["$defs"]["gain"]["maximum"] == vehicle_controller.LARGEST_GAIN
     assert SCHEMA["$defs"]["positive"]["maximum"] == vehicle_number.LARGEST_ENTRY
     center = SCHEMA["$defs"]["body"]["properties"]["center"]["items"]
     assert center["maximum"] == -center["minimum"] == vehicle_body.LARGEST_ARM

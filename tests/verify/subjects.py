@@ -43,7 +43,9 @@ def vehicle(
         tuple(Fraction(5 + i) if i == j else Fraction(7 + i + j + 3 * i * j, 100) for j in range(n))
         for i in range(n)
     )
-    gains = tuple((name, Fraction(2 + k, 4)) for k, name in enumerate(CONTROLLERS[controller]))
+    gains = tuple(
+        (name, Fraction(2 + k, 4)) for k, name in enumerate(CONTROLLERS[controller].names)
+    )
     return Vehicle(
         name=f"{group.lower().replace(' ', '')}_{law}",
         group=group,
@@ -61,11 +63,9 @@ def vehicle(
 
 def plant(of: Vehicle) -> Plant:
     """What the truth is told of it."""
-    gains = dict(of.gains)
+    gains = tuple(value for _, value in of.gains)
     own = of.own.basis if of.own else None
-    return Plant(
-        of.group, of.law, of.inertia, gains["lambda"], gains["k_s"], own, tuple(of.options)
-    )
+    return Plant(of.group, of.law, of.inertia, gains, of.controller, own, tuple(of.options))
 
 
 PAIRS = [

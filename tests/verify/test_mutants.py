@@ -18,13 +18,13 @@ from tests.verify.subjects import PAPER, plant, vehicle
 from tests.verify.test_suite import with_law
 
 
-def judged(group: str, law: str) -> Plant:
-    return plant(with_law(group, law))
+def judged(group: str, law: str, controller: str = "gsmc") -> Plant:
+    return plant(with_law(group, law, controller))
 
 
 @pytest.mark.parametrize(("group", "law"), [("SO3", "log"), ("S3", "half_log")])
 def test_no_mutant_that_moves_an_output_is_missed(group: str, law: str) -> None:
-    for routine, outcome in outcomes(judged(group, law), "gsmc"):
+    for routine, outcome in outcomes(judged(group, law)):
         assert outcome is not None
         assert outcome.missed == (), routine
         assert outcome.tried > 10
@@ -40,7 +40,7 @@ def test_no_mutant_is_missed_on_other_groups(
     group: str, law: str, options: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("derive.verify.mutation.MOST", 500)
-    for routine, outcome in outcomes(plant(vehicle(group, law, options=options)), "gsmc"):
+    for routine, outcome in outcomes(plant(vehicle(group, law, options=options))):
         assert outcome is None or outcome.missed == (), routine
         assert (outcome is None) == (group == "SL2" and routine == "residual")
 
@@ -48,18 +48,18 @@ def test_no_mutant_is_missed_on_other_groups(
 def test_where_there_are_many_a_fixed_seed_chooses(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("derive.verify.mutation.MOST", 30)
     of = plant(vehicle("SE3", "log"))
-    (_, first), *_ = outcomes(of, "gsmc", each=8)
-    (_, again), *_ = outcomes(of, "gsmc", each=8)
+    (_, first), *_ = outcomes(of, each=8)
+    (_, again), *_ = outcomes(of, each=8)
     assert first == again
     assert first is not None
     assert first.tried == 30 < first.there
-    check = next(iter(mutation(of, "gsmc", each=8)))
+    check = next(iter(mutation(of, each=8)))
     assert f"30 of {first.there} tried" in check.worst
 
 
 def test_a_blind_suite_would_be_found_out(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("derive.verify.trial.Case.rejects", lambda self, outputs: False)
-    first = next(iter(mutation(judged("SO3", "log"), "reaching")))
+    first = next(iter(mutation(judged("SO3", "log", "reaching"))))
     assert not first.is_ok
     assert first.measured > 1000
 

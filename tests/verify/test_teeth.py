@@ -9,13 +9,12 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import pytest
 import sympy
 
 from derive import pipeline
-from derive.control import quaternion_law, sliding
+from derive.control import port, quaternion_law
 from derive.emit import literal, printer
 from derive.lie import catalogue, cover, kernel
 from derive.lie.group import Group
@@ -79,13 +78,8 @@ def rate_along_axis_doubled(patch: Patch) -> None:
 
 
 def gains_exchanged(patch: Patch) -> None:
-    right = sliding._parameters
-
-    def wrong(*arguments: Any) -> tuple[Any, Any, Any]:
-        system, rate_gain, reach_gain = right(*arguments)
-        return system, reach_gain, rate_gain
-
-    patch.setattr(sliding, "_parameters", wrong)
+    right = port.take_gains
+    patch.setattr("derive.control.sliding.take_gains", lambda *given: right(*given)[::-1])
 
 
 def half_law_for_whole(patch: Patch) -> None:
@@ -165,7 +159,7 @@ def test_an_edit_of_the_emitted_c_turns_the_suite_red(
     assert places, what
     at = places[which]
     files[path] = files[path][:at] + wrong + files[path][at + len(right) :]
-    assert failures(run("paper_so3", files, plant(PAPER), controller="gsmc", each=2)) != []
+    assert failures(run("paper_so3", files, plant(PAPER), each=2)) != []
 
 
 def test_unharmed_the_same_run_is_green() -> None:

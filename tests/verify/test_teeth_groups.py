@@ -35,7 +35,7 @@ def texts(of: Vehicle) -> dict[str, str]:
 def judged(of: Vehicle, files: dict[str, str]) -> Report:
     """The numpy module alone: nothing is compiled, and C cannot disagree with it."""
     only = {path: text for path, text in files.items() if path.endswith(".py")}
-    return run(of.name, only, plant(of), controller=of.controller, each=2)
+    return run(of.name, only, plant(of), each=2)
 
 
 def broken(of: Vehicle, line: str) -> dict[str, str]:

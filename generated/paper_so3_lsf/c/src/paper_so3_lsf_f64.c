@@ -1,0 +1,344 @@
+/*
+ * paper_so3_lsf_f64: lsf on SO3, law skew (sin(angle) axis), double precision.
+ * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
+ */
+#include "paper_so3_lsf_f64.h"
+
+#include <math.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
+#endif
+
+const paper_so3_lsf_f64_params paper_so3_lsf_f64_defaults = {
+    {3.6046, -0.0706, 0.1491, 8.6868, 0.0449, 9.3484},
+    1.0, /* k */
+    0.5 /* kappa */
+};
+
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected. */
+static void paper_so3_lsf_f64_law(const paper_so3_lsf_f64_params *params,
+        const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
+        paper_so3_lsf_f64_command *command, double *clearance)
+{
+    /* -- tracking -- */
+    const double inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const double k = params->k;
+    const double kappa = params->kappa;
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+    const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
+    const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
+        nu_r_dot_2 = reference->nu_dot[2];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const double g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const double g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const double g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const double g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+
+    /* nu_u: attitude error, 2 sin(angle) axis [rad], eq. (s2) */
+    const double nu_u_0 = g_e_7 - g_e_5;
+    const double nu_u_1 = g_e_2 - g_e_6;
+    const double nu_u_2 = g_e_3 - g_e_1;
+
+    /* raw: nu - nu_r, each in its own body frame [rad/s] */
+    const double raw_0 = nu_0 - nu_r_0;
+    const double raw_1 = nu_1 - nu_r_1;
+    const double raw_2 = nu_2 - nu_r_2;
+
+    /* ratio: kappa/k [1/s] */
+    const double ratio = kappa/k;
+
+    /* s: sliding variable [rad/s], eq. (s2) */
+    const double s_0 = raw_0 + nu_u_0*ratio;
+    const double s_1 = raw_1 + nu_u_1*ratio;
+    const double s_2 = raw_2 + nu_u_2*ratio;
+
+    /* crossing: nu x nu_r [rad/s^2] */
+    const double crossing_0 = nu_1*nu_r_2 - nu_2*nu_r_1;
+    const double crossing_1 = nu_2*nu_r_0 - nu_0*nu_r_2;
+    const double crossing_2 = nu_0*nu_r_1 - nu_1*nu_r_0;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const double wanted_0 = crossing_0 + nu_r_dot_0 - k*s_0;
+    const double wanted_1 = crossing_1 + nu_r_dot_1 - k*s_1;
+    const double wanted_2 = crossing_2 + nu_r_dot_2 - k*s_2;
+
+    /* momentum: I nu [N m s] */
+    const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const double momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const double momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* force: control force [N m], eq. (Ctrls2) corrected */
+    const double force_0 = inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 +
+        momentum_2*nu_1 - momentum_1*nu_2;
+    const double force_1 = inertia_1*wanted_0 + inertia_3*wanted_1 + inertia_4*wanted_2 +
+        momentum_0*nu_2 - momentum_2*nu_0;
+    const double force_2 = inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 +
+        momentum_1*nu_0 - momentum_0*nu_1;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    *clearance = 1.0;
+}
+
+/* distance of stored numbers from the group. */
+static void paper_so3_lsf_f64_residual(const double g[9], double residual[7])
+{
+    /* -- residual -- */
+    const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
+        g_7 = g[7], g_8 = g[8];
+
+    /* off: deviation from the group [1] */
+    const double off_0 = g_0*g_0 - 1.0 + g_3*g_3 + g_6*g_6;
+    const double off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
+    const double off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
+    const double off_3 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7;
+    const double off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
+    const double off_5 = g_2*g_2 - 1.0 + g_5*g_5 + g_8*g_8;
+    const double off_6 = g_0*g_4*g_8 - 1.0 + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
+        g_2*g_4*g_6;
+
+    /* -- end -- */
+    residual[0] = off_0;
+    residual[1] = off_1;
+    residual[2] = off_2;
+    residual[3] = off_3;
+    residual[4] = off_4;
+    residual[5] = off_5;
+    residual[6] = off_6;
+}
+
+/* pivots of the inertia: all positive for a valid one. */
+static void paper_so3_lsf_f64_definiteness(const paper_so3_lsf_f64_params *params, double pivot[3])
+{
+    /* -- definiteness -- */
+    const double inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+
+    /* lower_10: I = L D L^T, entry of L [1] */
+    const double lower_10 = inertia_1/inertia_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const double lower_20 = inertia_2/inertia_0;
+
+    /* pivot_1: pivot of I [kg m^2] */
+    const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
+
+    /* lower_21: I = L D L^T, entry of L [1] */
+    const double lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
+
+    /* -- end -- */
+    pivot[0] = inertia_0;
+    pivot[1] = pivot_1;
+    pivot[2] = pivot_2;
+}
+
+/* The worse of two findings. */
+static paper_so3_lsf_f64_status paper_so3_lsf_f64_worse(const paper_so3_lsf_f64_status a,
+        const paper_so3_lsf_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static paper_so3_lsf_f64_status paper_so3_lsf_f64_inspect(const double *numbers, const int count,
+        const double limit)
+{
+    paper_so3_lsf_f64_status worst = PAPER_SO3_LSF_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = PAPER_SO3_LSF_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = paper_so3_lsf_f64_worse(worst, PAPER_SO3_LSF_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
+static paper_so3_lsf_f64_status paper_so3_lsf_f64_on_group(const double g[9])
+{
+    double residual[7];
+    int i;
+    paper_so3_lsf_f64_residual(g, residual);
+    for (i = 0; i < 7; i++) {
+        if (!(fabs(residual[i]) <= PAPER_SO3_LSF_F64_MAX_DRIFT)) {
+            return PAPER_SO3_LSF_F64_NOT_ON_GROUP;
+        }
+    }
+    return PAPER_SO3_LSF_F64_OK;
+}
+
+void paper_so3_lsf_f64_tracking(const paper_so3_lsf_f64_params *params,
+        const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
+        paper_so3_lsf_f64_command *command)
+{
+    double clearance;
+    paper_so3_lsf_f64_law(params, state, reference, command, &clearance);
+}
+
+void paper_so3_lsf_f64_plant(const paper_so3_lsf_f64_params *params,
+        const paper_so3_lsf_f64_state *state, const double force[3], double nu_dot[3])
+{
+    /* -- plant -- */
+    const double inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const double force_0 = force[0], force_1 = force[1], force_2 = force[2];
+
+    /* momentum: I nu [N m s] */
+    const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const double momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const double momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* total: coad(nu) I nu + force [N m] */
+    const double total_0 = force_0 + momentum_1*nu_2 - momentum_2*nu_1;
+    const double total_1 = force_1 + momentum_2*nu_0 - momentum_0*nu_2;
+    const double total_2 = force_2 + momentum_0*nu_1 - momentum_1*nu_0;
+
+    /* lower_10: I = L D L^T, entry of L [1] */
+    const double lower_10 = inertia_1/inertia_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const double lower_20 = inertia_2/inertia_0;
+
+    /* pivot_1: pivot of I [kg m^2] */
+    const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
+
+    /* lower_21: I = L D L^T, entry of L [1] */
+    const double lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
+
+    /* forward_1: forward substitution [N m] */
+    const double forward_1 = total_1 - lower_10*total_0;
+
+    /* forward_2: forward substitution [N m] */
+    const double forward_2 = total_2 - forward_1*lower_21 - lower_20*total_0;
+
+    /* back_2: back substitution [rad/s^2] */
+    const double back_2 = forward_2/pivot_2;
+
+    /* back_1: back substitution [rad/s^2] */
+    const double back_1 = forward_1/pivot_1 - back_2*lower_21;
+
+    /* back_0: back substitution [rad/s^2] */
+    const double back_0 = total_0/inertia_0 - back_1*lower_10 - back_2*lower_20;
+
+    /* -- end -- */
+    nu_dot[0] = back_0;
+    nu_dot[1] = back_1;
+    nu_dot[2] = back_2;
+}
+
+/* What the state and the reference are worth. */
+static paper_so3_lsf_f64_status paper_so3_lsf_f64_judge(const paper_so3_lsf_f64_state *state,
+        const paper_so3_lsf_f64_reference *reference)
+{
+    paper_so3_lsf_f64_status worst = PAPER_SO3_LSF_F64_OK;
+    worst = paper_so3_lsf_f64_worse(worst,
+            paper_so3_lsf_f64_inspect(state->g, 9, PAPER_SO3_LSF_F64_MAX_INPUT));
+    worst = paper_so3_lsf_f64_worse(worst,
+            paper_so3_lsf_f64_inspect(state->nu, 3, PAPER_SO3_LSF_F64_MAX_INPUT));
+    worst = paper_so3_lsf_f64_worse(worst,
+            paper_so3_lsf_f64_inspect(reference->g, 9, PAPER_SO3_LSF_F64_MAX_INPUT));
+    worst = paper_so3_lsf_f64_worse(worst,
+            paper_so3_lsf_f64_inspect(reference->nu, 3, PAPER_SO3_LSF_F64_MAX_INPUT));
+    worst = paper_so3_lsf_f64_worse(worst,
+            paper_so3_lsf_f64_inspect(reference->nu_dot, 3, PAPER_SO3_LSF_F64_MAX_INPUT));
+    if (worst == PAPER_SO3_LSF_F64_OK) {
+        worst = paper_so3_lsf_f64_on_group(state->g);
+    }
+    if (worst == PAPER_SO3_LSF_F64_OK) {
+        worst = paper_so3_lsf_f64_on_group(reference->g);
+    }
+    return worst;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static paper_so3_lsf_f64_status paper_so3_lsf_f64_verdict(const paper_so3_lsf_f64_command *command,
+        const double clearance)
+{
+    const double *const rows[3] = {command->force, command->s, command->nu_u};
+    int row;
+    int i;
+    for (row = 0; row < 3; row++) {
+        for (i = 0; i < 3; i++) {
+            if (!isfinite(rows[row][i])) {
+                return PAPER_SO3_LSF_F64_NONFINITE_INPUT;
+            }
+        }
+    }
+    return clearance < PAPER_SO3_LSF_F64_NEAR_CUT ? PAPER_SO3_LSF_F64_NEAR_CUT_LOCUS :
+            PAPER_SO3_LSF_F64_OK;
+}
+
+paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_params *params,
+        const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
+        paper_so3_lsf_f64_command *command)
+{
+    static const paper_so3_lsf_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 } };
+    paper_so3_lsf_f64_status status = paper_so3_lsf_f64_judge(state, reference);
+    if (status == PAPER_SO3_LSF_F64_OK) {
+        double clearance;
+        paper_so3_lsf_f64_law(params, state, reference, command, &clearance);
+        status = paper_so3_lsf_f64_verdict(command, clearance);
+    }
+    if (status >= PAPER_SO3_LSF_F64_NOT_ON_GROUP) {
+        *command = nothing;
+    }
+    return status;
+}
+
+paper_so3_lsf_f64_status paper_so3_lsf_f64_check_params(const paper_so3_lsf_f64_params *params)
+{
+    double pivot[3];
+    int i;
+    if (paper_so3_lsf_f64_inspect(params->inertia, 6, PAPER_SO3_LSF_F64_MAX_PARAM) !=
+            PAPER_SO3_LSF_F64_OK) {
+        return PAPER_SO3_LSF_F64_BAD_PARAMS;
+    }
+    if (!(params->k > 0.0 && params->k <= PAPER_SO3_LSF_F64_MAX_PARAM)) {
+        return PAPER_SO3_LSF_F64_BAD_PARAMS;
+    }
+    if (!(params->kappa > 0.0 && params->kappa <= PAPER_SO3_LSF_F64_MAX_PARAM)) {
+        return PAPER_SO3_LSF_F64_BAD_PARAMS;
+    }
+    paper_so3_lsf_f64_definiteness(params, pivot);
+    for (i = 0; i < 3; i++) {
+        if (!(pivot[i] > 0.0)) {
+            return PAPER_SO3_LSF_F64_BAD_PARAMS;
+        }
+    }
+    return PAPER_SO3_LSF_F64_OK;
+}
