@@ -60,7 +60,7 @@ def let_go(crew: Crew) -> Iterator[None]:
 def drawn(rows: Rows, sweep: Sweep) -> str:
     """Write the pictures; what is to be said where they cannot be drawn. Raises InputError."""
     if find_spec("matplotlib") is None:
-        return f"no pictures: matplotlib is not installed; {EXTRA.format('pictures')}"
+        return f"no pictures: matplotlib is not installed; {EXTRA.format('plot')}"
     from derive.simulate.sweep_picture import pictures
 
     craft = sweep.plan.craft
