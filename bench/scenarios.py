@@ -1,4 +1,4 @@
-"""Pictures and the table of docs/simulations.md, made anew: python -m bench.scenarios."""
+"""Pictures and the tables of docs/simulations.md and README.md: python -m bench.scenarios."""
 
 from __future__ import annotations
 
@@ -24,10 +24,14 @@ def main() -> None:
     print(found.table())
     files = comparison.documents(found, lambda _: None)
     shown = {name: content for name, content in files.items() if SHOWN.fullmatch(name)}
-    page = DOCS / "simulations.md"
-    table = f"\n{claim_table.markdown(found.claims)}\n"
-    told = TABLE.sub(lambda _: table, page.read_text(encoding="utf-8"))
-    folder.save_all(DOCS, {**shown, page.name: told.encode()})
+    whole = renewed(DOCS / "simulations.md", claim_table.markdown(found.claims))
+    folder.save_all(DOCS, {**shown, "simulations.md": whole.encode()})
+    folder.save(ROOT / "README.md", renewed(ROOT / "README.md", claim_table.brief(found.claims)))
+
+
+def renewed(page: Path, table: str) -> str:
+    """The text of a page with another table between its marks."""
+    return TABLE.sub(lambda _: f"\n{table}\n", page.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

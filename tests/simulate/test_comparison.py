@@ -118,9 +118,11 @@ def test_a_refusing_controller_is_not_ok(compared: Comparison) -> None:
     assert not replace(compared, flights=flights).ok
 
 
-def test_the_documents_table_is_the_measured_one(compared: Comparison) -> None:
+def test_the_tables_of_the_documents_are_the_measured_ones(compared: Comparison) -> None:
     """`python -m bench.scenarios` writes it."""
     assert claim_table.markdown(compared.claims) in DOCS.read_text(encoding="utf-8")
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert claim_table.brief(compared.claims) in readme
 
 
 @pytest.mark.parametrize("name", ["scenario1.svg", "scenario1_s.svg", "scenario1_axis.svg"])
