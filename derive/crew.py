@@ -10,6 +10,8 @@ from derive.campaign import Sweep, save
 from derive.demand import PLACE
 from derive.simulate.chunk import Rows
 from derive.simulate.executor import Alone, Cluster, Crew, Processes
+from derive.simulate.style import is_drawable
+from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import FORMATS
 from derive.vehicle import InputError
 
@@ -59,10 +61,8 @@ def let_go(crew: Crew) -> Iterator[None]:
 
 def drawn(rows: Rows, sweep: Sweep) -> str:
     """Write the pictures; what is to be said where they cannot be drawn. Raises InputError."""
-    if find_spec("matplotlib") is None:
-        return f"no pictures: matplotlib is not installed; {EXTRA.format('pictures')}"
-    from derive.simulate.sweep_picture import pictures
-
+    if not is_drawable():
+        return f"no pictures: matplotlib is not installed; {EXTRA.format('plot')}"
     craft = sweep.plan.craft
     title = f"{craft.name}: {craft.controller} on {craft.group}, {len(rows['run'])} runs"
     for name, data in pictures(rows, title).items():

@@ -94,7 +94,6 @@ THIRD_PARTY = {
     "derive.simulate.sphere": ("matplotlib", "numpy"),
     "derive.simulate.style": ("matplotlib",),
     "derive.simulate.executor": ("distributed",),
-    "derive.simulate.sweep_picture": ("numpy", "matplotlib"),
     "derive.simulate.table": ("numpy", "pyarrow"),
     "derive.cli": ("click",),
 }
