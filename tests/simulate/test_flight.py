@@ -187,7 +187,7 @@ def test_noise_is_of_the_seed() -> None:
 
 def test_what_is_measured_is_off_by_normal_numbers_of_that_spread() -> None:
     """On R3 the configuration is its own coordinates: seen - true is the noise itself."""
-    one, loops, asked = craft("R3"), 400, setting(20.0, noise_g=1e-2, noise_nu=3e-2)
+    one, loops, asked = craft("R3"), 100, setting(80.0, noise_g=1e-2, noise_nu=3e-2)
     met = replace(runs(one, loops), seeds=tuple(range(loops)))
     seen = Seen(one, reference("steady", "R3"), asked, met)
     for _ in seen.moments():
@@ -195,7 +195,7 @@ def test_what_is_measured_is_off_by_normal_numbers_of_that_spread() -> None:
     for off, spread in ((seen.off_g, 1e-2), (seen.off_nu, 3e-2)):
         drawn = np.array(off)  # (instants, n, loops)
         count = drawn.size
-        assert count == 41 * 3 * loops
+        assert count == 161 * 3 * loops
         assert abs(drawn.mean()) < 5 * spread / np.sqrt(count)
         assert drawn.std() == pytest.approx(spread, rel=5 / np.sqrt(2 * count))
         # Neither repeated over time, nor from loop to loop, nor from entry to entry.
