@@ -54,7 +54,7 @@ class Loop:
         self, craft: Craft, backend: str, reference: Reference, setting: Setting, runs: Runs
     ) -> None:
         """Raises CompilerMissing, CompileError where the backend is C and cannot be built."""
-        self.space, self.craft = space_of(craft), craft
+        self.space, self.craft = space_of(craft, backend != "numpy"), craft
         self.pilot = pilot(craft, backend, len(runs))
         self.reference, self.setting, self.runs = reference, setting, runs
         # Where C can be compiled, a held force is integrated by it: the same bits, sooner.
