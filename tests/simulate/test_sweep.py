@@ -151,6 +151,7 @@ def test_a_crew_that_comes_to_nothing_is_given_up(tmp_path: Path) -> None:
         flown(tmp_path / "out", crew, 16)
     assert "--resume" in str(caught.value)
     assert crew.ended is False
+    assert crew.renewed < 10
 
 
 def test_a_full_disk_is_told_and_what_is_there_stays(
@@ -214,6 +215,18 @@ def test_a_run_is_replayed_by_its_seed(truth: bytes) -> None:
         alone = plan(**{**said_of(8, {}), "rates": (float(row["rate"]),)})
         again = csv(fly_seeds(alone, [int(row["seed"])], int(row["run"]))).decode().splitlines()
         assert again == [lines[0], line]
+
+
+def test_numbers_are_read_back_exactly(truth: bytes) -> None:
+    rows = fly(plan(**said_of(8, {})), 0, RUNS)
+    names, *lines = (line.split(",") for line in truth.decode().splitlines())
+    assert names == [*rows]
+    for name, column in zip(names, zip(*lines, strict=True), strict=True):
+        kind = rows[name].dtype
+        words = ["nan" if word == "" else word for word in column]
+        read = np.array([float(word) if kind == np.float64 else int(word) for word in words])
+        np.testing.assert_array_equal(read.astype(kind), rows[name], name)
+    assert "" in dict(zip(names, zip(*lines, strict=True), strict=True))["settling_time"]
 
 
 @pytest.mark.parametrize("backend", ["numpy", "f64"])
