@@ -14,6 +14,8 @@ import numpy as np
 
 from derive.simulate.space import Array
 
+EDGE = 1e-12  # of a table's length: how far beyond its ends rounding may move a time
+
 
 @dataclass(frozen=True)
 class Reference:
@@ -77,14 +79,16 @@ def tabled(start: Array, times: Array, nu_r: Array, nu_r_dot: Array) -> Referenc
     """Through velocities and their rates at given times, (rows,) and (rows, n), by cubics.
 
     The cubic of each interval takes both at its ends, so nu_r_dot is the exact rate of nu_r.
-    Before the first and after the last row the velocity of that row is kept.
+    Before the first and after the last row the velocity of that row is kept; at these rows the
+    rate is still that of the cubic, which a step that starts or ends there needs.
     """
     knots = [float(t) for t in times]
+    slack = EDGE * (knots[-1] - knots[0])
 
     def at(t: float) -> tuple[Array, Array]:
-        if t <= knots[0] or t >= knots[-1]:
-            return _held(nu_r[0 if t <= knots[0] else -1])
-        i = bisect_right(knots, t) - 1
+        if t < knots[0] - slack or t > knots[-1] + slack:
+            return _held(nu_r[0 if t < knots[0] else -1])
+        i = min(max(bisect_right(knots, t) - 1, 0), len(knots) - 2)
         long = knots[i + 1] - knots[i]
         p = (t - knots[i]) / long
         value, rate = cubic(p)

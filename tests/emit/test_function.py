@@ -67,3 +67,42 @@ def test_what_does_not_fit_is_refused(
 ) -> None:
     with pytest.raises(fault, match=told):
         made()(**given)
+
+
+def drawn(columns: int) -> dict[str, Any]:
+    random = np.random.default_rng(4)
+    return {"x": random.normal(size=(2, columns)) / 2, "a": random.normal(size=columns)}
+
+
+def test_columns_are_the_rows_bit_for_bit() -> None:
+    given = drawn(50)
+    y, z, one = made().columns(**given)
+    rows = made()(x=given["x"].T, a=given["a"])
+    assert (y.shape, z.shape, one.shape) == ((2, 50), (50,), (3, 50))
+    for column, name in ((y, "y"), (z, "z"), (one, "one")):
+        assert column.T.tobytes() == np.ascontiguousarray(rows[name].T).T.tobytes()
+        np.testing.assert_array_equal(column.T, rows[name])
+
+
+def test_a_column_is_the_same_in_whatever_company() -> None:
+    """Of 1, 7 or 1000: no loop of numpy's may round it otherwise."""
+    given = drawn(1000)
+    whole = made().columns(**given)
+    for first, last in ((0, 1), (3, 10), (993, 1000), (999, 1000)):
+        few = made().columns(x=given["x"][:, first:last], a=given["a"][first:last])
+        for part, all_of_them in zip(few, whole, strict=True):
+            assert part.tobytes() == np.ascontiguousarray(all_of_them[..., first:last]).tobytes()
+
+
+def test_columns_that_all_share_are_spread() -> None:
+    given = drawn(5)
+    y, z, one = made().columns(x=given["x"], a=np.array([2.0]))
+    np.testing.assert_array_equal(y, 2 * given["x"])
+    assert (z.shape, one.shape) == ((5,), (3, 5))
+    np.testing.assert_array_equal(one[0], np.zeros(5))
+
+
+def test_a_scalar_goes_in_and_comes_out_without_an_axis_of_its_own() -> None:
+    _, z, _ = made().columns(x=np.array([[-1.0], [0.5]]), a=np.array([3.0]))
+    assert z.shape == (1,)
+    assert z[0] == -3.0
