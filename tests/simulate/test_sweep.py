@@ -242,8 +242,7 @@ def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
     assert row["initial_height"][0] == flight.height[0]
 
 
-@pytest.mark.parametrize("group", ["SO3", "R3"])
-@pytest.mark.parametrize("settle", [1e-9, 0.3])
+@pytest.mark.parametrize(("group", "settle"), [("SO3", 0.3), ("R3", 1e-9)])
 def test_pictures_are_drawn_of_any_outcome(group: str, settle: float) -> None:
     rows = fly(plan(group, settle=settle, seconds=1.0, rates=(10.0,)), 0, 20)
     drawn = pictures(rows, "some")
@@ -278,15 +277,15 @@ def test_parquet_holds_what_csv_holds(truth: bytes, tmp_path: Path) -> None:
     assert csv({name: np.array(values) for name, values in read.items()}) == truth
 
 
-def test_the_command_interrupted_and_resumed(home: Path, tmp_path: Path) -> None:
+def test_the_command_interrupted_and_resumed(tmp_path: Path) -> None:
     plain = ("sweep", str(ROOT / "vehicles" / "paper_so3.toml"), "--runs", "240", *SHORT, *ERRORS,
-             "--chunk", "12", "--format", "csv", "--out")  # fmt: skip
-    whole = derive(tmp_path, *plain, "whole", "--workers", "2", home=home)
+             "--chunk", "12", "--format", "csv", "--no-cache", "--out")  # fmt: skip
+    whole = derive(tmp_path, *plain, "whole", "--workers", "2")
     assert whole.returncode == 0, whole.stderr
     assert "settled" in whole.stdout
     assert "derive simulate" in whole.stdout
     assert whole.stderr == ""
-    environment = {**os.environ, "HOME": str(home), "PYTHONPATH": str(ROOT)}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-m", "derive", *plain, "part", "--workers", "1"]
     with subprocess.Popen(command, cwd=tmp_path, env=environment, stderr=subprocess.PIPE,
                           stdout=subprocess.DEVNULL, text=True) as flying:  # fmt: skip
@@ -299,7 +298,7 @@ def test_the_command_interrupted_and_resumed(home: Path, tmp_path: Path) -> None
     assert 1 <= kept < 20
     assert not list((tmp_path / "part").glob("results.*"))
     assert not list(tmp_path.rglob(".derive-*"))
-    again = derive(tmp_path, *plain, "part", "--workers", "1", "--resume", home=home)
+    again = derive(tmp_path, *plain, "part", "--workers", "1", "--resume")
     assert again.returncode == 0, again.stderr
     for name in ("results.csv", "summary.json", "success_map.png", "settling_time.svg"):
         same = [(tmp_path / folder / name).read_bytes() for folder in ("whole", "part")]
