@@ -61,9 +61,8 @@ class Space:
 
     @property
     def turns(self) -> list[int]:
-        """The coordinates that are angular rates; all where the group has no units."""
-        found = [i for i, unit in enumerate(self.group.units) if unit.startswith("rad")]
-        return found if set(self.group.units) & {"rad/s", "m/s"} else list(range(self.dim))
+        """The coordinates that are angles, in which a law can jump; of a user's group as told."""
+        return [i for i, unit in enumerate(self.group.units) if unit.startswith("rad")]
 
     def advance(self, g: Array, x: Array) -> Array:
         """g exp(hat(x)), (k, N), for displacements x (n, N) that turn by at most 1 rad."""
