@@ -56,8 +56,14 @@ class Sweep:
 
     @property
     def results(self) -> Path:
-        """The file of the rows; where it is, the sweep is whole."""
+        """The file of the rows, written last."""
         return self.out / f"results.{self.form}"
+
+    @property
+    def whole(self) -> Path | None:
+        """The results, in whatever format, where an earlier call has come to the end."""
+        places = (self.out / f"results.{form}" for form in table.FORMATS)
+        return next((place for place in places if place.exists()), None)
 
     @property
     def kept(self) -> list[Chunk]:
@@ -134,31 +140,29 @@ def opened(made: Plan, asked: Asked, out: Path, form: str, is_resumed: bool) -> 
         _refuse_taken(out)
     cuts = range(0, asked.runs, asked.chunk)
     chunks = tuple((first, min(first + asked.chunk, asked.runs)) for first in cuts)
-    with place.told(out, "a folder that can be written to"):
-        (out / CHUNKS).mkdir(parents=True, exist_ok=True)
-    save(out / DEFINITION, (json.dumps(wanted, indent=1) + "\n").encode())
     sweep = Sweep(made, chunks, wanted, out, form)
-    sweep.drop_damaged()
+    if not sweep.whole:
+        with place.told(out, "a folder that can be written to"):
+            (out / CHUNKS).mkdir(parents=True, exist_ok=True)
+        save(out / DEFINITION, (json.dumps(wanted, indent=1) + "\n").encode())
+        sweep.drop_damaged()
     return sweep
 
 
-def flown(sweep: Sweep, crew: Crew, progress: Callable[[str], None]) -> Rows:
+def flown(sweep: Sweep, crew: Crew, progress: Callable[[str], object]) -> Rows:
     """Fly what is not there yet, keep each chunk at once; all rows. Raises InputError."""
     kept = set(sweep.kept)
     waiting = [chunk for chunk in sweep.chunks if chunk not in kept]
     total, start = sum(last - first for first, last in waiting), monotonic()
-    done, is_done = 0, False
+    done = 0
     try:
         progress(_progress(0, total, 0.0))
         for chunk, rows in executor.flown(crew, sweep.plan, waiting):
             sweep.keep(chunk, rows)
             done += chunk[1] - chunk[0]
             progress(_progress(done, total, monotonic() - start))
-        is_done = True
     except (executor.WorkersLost, CannotFly) as fault:
         raise _lost(sweep, fault) from fault
-    finally:
-        crew.close(is_done)
     return sweep.rows()
 
 

@@ -89,18 +89,21 @@ def sweep(
     try:
         show("deriving")
         plan = campaign.plan(vehicle, cache(no_cache), asked)
-        opened = campaign.opened(plan, asked, out, form, resume)
-        if opened.results.exists():
-            click.echo(f"{opened.results} is whole already")
-            return 0
-        rows = campaign.flown(opened, crew.hired(cluster, workers or _cores()), show)
+        hands = crew.hired(cluster, workers or _cores())
+        with crew.let_go(hands):
+            opened = campaign.opened(plan, asked, out, form, resume)
+            if opened.whole:
+                click.echo(f"{opened.whole} is whole already")
+                return 0
+            rows = campaign.flown(opened, hands, show)
         show("results")
         found = campaign.told(rows, opened)
         lacking = crew.drawn(rows, opened)
         opened.finish(rows)
     except KeyboardInterrupt:
         show("")
-        click.echo(f"finished chunks are kept in {out}; go on with --resume", err=True)
+        if (out / campaign.DEFINITION).exists():
+            click.echo(f"finished chunks are kept in {out}; go on with --resume", err=True)
         raise
     finally:
         show("")

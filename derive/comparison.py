@@ -8,7 +8,8 @@ from fractions import Fraction
 from functools import cached_property, partial
 from pathlib import Path
 
-from derive import flight, folder, place
+from derive import flight
+from derive.demand import backend_of
 from derive.simulate import claim_table, digest, scenario
 from derive.simulate.claim import Judged, judged
 from derive.simulate.craft import Craft
@@ -32,16 +33,12 @@ SHOWN = 15.0  # s, of sliding variables
 
 @dataclass(frozen=True)
 class Comparison:
-    """All flights of a vehicle's comparison: number -> controller -> flight.
-
-    files: what was written, in order
-    """
+    """All flights of a vehicle's comparison: number -> controller -> flight."""
 
     vehicle: str
     backend: str
     crafts: tuple[Craft, ...]
     flights: Mapping[int, Mapping[str, Flight]]
-    files: tuple[Path, ...] = ()
 
     @property
     def ok(self) -> bool:
@@ -78,31 +75,14 @@ class Comparison:
                               self.flights[number], self.claims, self.differences)  # fmt: skip
 
 
-def fly_scenarios(
-    vehicle: Vehicle,
-    cached: Path | None,
-    numbers: Sequence[int],
-    backend: str,
-    show: Progress,
-    out: Path | None = None,
-) -> Comparison:
-    """Fly the paper's scenarios; with `out`, write numbers and pictures there, all or none.
-
-    Raises InputError, and CompilerMissing or CompileError where C cannot be built.
-    """
-    found = scenarios(vehicle, cached, numbers, backend, show)
-    if out is None:
-        return found
-    files = documents(found, show)
-    with place.told(out, "a folder that can be written to"):
-        folder.save_all(out, files)
-    return replace(found, files=tuple(out / name for name in files))
-
-
 def scenarios(
     vehicle: Vehicle, cached: Path | None, numbers: Sequence[int], backend: str, show: Progress
 ) -> Comparison:
-    """Every controller of the comparison through those scenarios, in one batch each."""
+    """Every controller of the comparison through those scenarios, in one batch each.
+
+    Raises InputError, and CompileError where the emitted C does not compile.
+    """
+    backend_of(backend)
     _refuse_other_groups(vehicle)
     flights: dict[int, dict[str, Flight]] = {number: {} for number in numbers}
     crafts = []

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.util import find_spec
 
 from derive.campaign import Sweep, save
 from derive.demand import PLACE
 from derive.simulate.chunk import Rows
 from derive.simulate.executor import Alone, Cluster, Crew, Processes
+from derive.simulate.style import is_drawable
+from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import FORMATS
 from derive.vehicle import InputError
 
@@ -44,12 +48,21 @@ def hired(cluster: str | None, workers: int) -> Crew:
         raise InputError(PLACE, "--cluster", expected, found, remedy) from fault
 
 
+@contextmanager
+def let_go(crew: Crew) -> Iterator[None]:
+    """Let go of a crew in the end, at once where that is not the end of its work."""
+    is_done = False
+    try:
+        yield
+        is_done = True
+    finally:
+        crew.close(is_done)
+
+
 def drawn(rows: Rows, sweep: Sweep) -> str:
     """Write the pictures; what is to be said where they cannot be drawn. Raises InputError."""
-    if find_spec("matplotlib") is None:
-        return f"no pictures: matplotlib is not installed; {EXTRA.format('pictures')}"
-    from derive.simulate.sweep_picture import pictures
-
+    if not is_drawable():
+        return f"no pictures: matplotlib is not installed; {EXTRA.format('plot')}"
     craft = sweep.plan.craft
     title = f"{craft.name}: {craft.controller} on {craft.group}, {len(rows['run'])} runs"
     for name, data in pictures(rows, title).items():

@@ -25,6 +25,7 @@ LAYER = {
     "derive.demand": "derive.pipeline",
     "derive.flight": "derive.pipeline",
     "derive.comparison": "derive.pipeline",
+    "derive.simulation": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_loop": "derive.cli",
     "derive.cli_simulate": "derive.cli",
@@ -58,6 +59,7 @@ OWN = {
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
         *("derive.campaign", "derive.comparison", "derive.crew", "derive.demand", "derive.flight"),
+        "derive.simulation",
         "derive.vehicle",
     ),
 }
@@ -92,7 +94,6 @@ THIRD_PARTY = {
     "derive.simulate.sphere": ("matplotlib", "numpy"),
     "derive.simulate.style": ("matplotlib",),
     "derive.simulate.executor": ("distributed",),
-    "derive.simulate.sweep_picture": ("numpy", "matplotlib"),
     "derive.simulate.table": ("numpy", "pyarrow"),
     "derive.cli": ("click",),
 }

@@ -8,10 +8,12 @@ from typing import Any
 
 import cffi
 
-from derive.native.compile import FLAGS, Compiler, build
+from derive.native.compile import FLAGS, CompileError, Compiler, build
 
 FAST = (*FLAGS, "-O3", "-fno-trapping-math", "-fPIC", "-shared")
 """-fno-trapping-math: both sides of a choice may be computed; no result depends on it."""
+
+HERE = "-march=native"  # wider registers, the same roundings; not every compiler has it
 
 
 class Kernel:
@@ -26,7 +28,11 @@ class Kernel:
         source.write_text(text, encoding="utf-8")
         self._ffi = cffi.FFI()
         self._ffi.cdef(prototypes)
-        place = build([source], folder, folder, FAST, Compiler.find())
+        compiler = Compiler.find()
+        try:
+            place = build([source], folder, folder, (*FAST, HERE), compiler)
+        except CompileError:
+            place = build([source], folder, folder, FAST, compiler)
         self._library = self._ffi.dlopen(str(place.resolve()))
 
     def __getitem__(self, name: str) -> Callable[..., None]:

@@ -49,5 +49,16 @@ def markdown(claims: Sequence[Judged]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def brief(claims: Sequence[Judged]) -> str:
+    """The same in three columns: place and statement, what was measured and where, the verdict."""
+    lines = [_row(("the paper says", "measured", "verdict")), _row(["---"] * 3)]
+    for one in claims:
+        found = one.printed
+        at = f", at {found.threshold}" if found.threshold else ""
+        said, measured = f"{one.claim.place}: {one.claim.says}", f"{found.measured}{at}"
+        lines.append(_row([cell.replace("|", "\\|") for cell in (said, measured, found.verdict)]))
+    return "\n".join(lines) + "\n"
+
+
 def _row(cells: Sequence[str]) -> str:
     return f"| {' | '.join(cells)} |"

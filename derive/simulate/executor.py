@@ -142,7 +142,8 @@ class Cluster:
         """Those that are done."""
         from distributed import wait as awaited
 
-        done = awaited(list(futures), return_when="FIRST_COMPLETED").done
+        with self._client.as_current():
+            done = awaited(list(futures), return_when="FIRST_COMPLETED").done
         return [one for one in futures if one in done]
 
     def renew(self) -> None:

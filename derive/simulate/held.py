@@ -5,7 +5,7 @@ The arithmetic is that of derive.simulate.loop, operation by operation: the same
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 
 import numpy as np
@@ -118,84 +118,109 @@ def _text(craft: Craft, space: Space) -> str:
         "PLANT_ARGUMENTS": arguments,
     }.items():
         body = body.replace(mark, by)
-    return f"{inline.functions(derived)}\n{defines}\n{body}"
+    counts = {name: range(size) for name, size in sizes.items()} | {"R": range(1, space.dim)}
+    lines = [one for line in body.splitlines() for one in _written(line, counts)]
+    return "\n".join([inline.functions(derived), defines, *lines, ""])
 
 
-_SOURCE = """
+_STAGE = """
+N: pushed[$] = f[$] + (d[$] + turn[TWICE] * a[$] + turn[TWICE + 1] * b[$]);
+plant(PLANT_ARGUMENTS, kvSTAGE);
+chart_rate(x, v, kxSTAGE);
+"""
+_NEXT = """
+N: x[$] = 0.0 + weight[STAGE] * kxSTAGE[$];
+N: v[$] = v0[$] + weight[STAGE] * kvSTAGE[$];
+N: p[$] = p0[$] + weight[STAGE] * -f[$];
+"""
+_START = """
+N: x[$] = 0.0;
+N: v[$] = v0[$];
+N: p[$] = p0[$];
+"""
+_ADD = """
+N: x[$] = x[$] + weight[3 + STAGE] * kxSTAGE[$];
+N: v[$] = v[$] + weight[3 + STAGE] * kvSTAGE[$];
+N: p[$] = p[$] + weight[3 + STAGE] * -f[$];
+e = e + weight[3 + STAGE] * square;
+"""
+
+
+def _staged(text: str, stage: int) -> str:
+    return text.replace("STAGE", str(stage)).replace("TWICE", str(2 * stage))
+
+
+_STEPS = "".join(
+    [_START, *(_staged(_STAGE + _NEXT * (stage < 3), stage) for stage in range(4)),
+     _START, *(_staged(_ADD, stage) for stage in range(4))]
+)  # fmt: skip
+
+_SOURCE = f"""
 void held_step(long rows, STEP_ARGUMENTS)
-{
-    for (long i = 0; i < rows; ++i) {
-        double g0[K], v0[N], p0[N], f[N], I[M], ext[N], d[N], a[N], b[N];
-        double kx[4][N], kv[4][N], x[N], v[N], p[N], pushed[N], g1[K];
-        for (int j = 0; j < K; ++j) g0[j] = g[j * rows + i];
-        for (int j = 0; j < M; ++j) I[j] = inertia[j * rows + i];
-        for (int j = 0; j < N; ++j) {
-            v0[j] = nu[j * rows + i];
-            p0[j] = momentum[j * rows + i];
-            f[j] = force[j * rows + i];
-            ext[j] = external[j * rows + i];
-            d[j] = disturbance[j * rows + i];
-            a[j] = sine[j * rows + i];
-            b[j] = cosine[j * rows + i];
-        }
-        for (int s = 0; s < 4; ++s) {
-            for (int j = 0; j < N; ++j) {
-                x[j] = s ? 0.0 + weight[s - 1] * kx[s ? s - 1 : 0][j] : 0.0;
-                v[j] = s ? v0[j] + weight[s - 1] * kv[s ? s - 1 : 0][j] : v0[j];
-                p[j] = s ? p0[j] + weight[s - 1] * -f[j] : p0[j];
-                pushed[j] = f[j] + (d[j] + turn[2 * s] * a[j] + turn[2 * s + 1] * b[j]);
-            }
-            plant(PLANT_ARGUMENTS, kv[s]);
-            chart_rate(x, v, kx[s]);
-        }
-        double square = f[0] * f[0], e = effort[i];
-        for (int j = 1; j < N; ++j) square = square + f[j] * f[j];
-        for (int j = 0; j < N; ++j) {
-            x[j] = 0.0;
-            v[j] = v0[j];
-            p[j] = p0[j];
-        }
-        for (int s = 0; s < 4; ++s) {
-            for (int j = 0; j < N; ++j) {
-                x[j] = x[j] + weight[3 + s] * kx[s][j];
-                v[j] = v[j] + weight[3 + s] * kv[s][j];
-                p[j] = p[j] + weight[3 + s] * -f[j];
-            }
-            e = e + weight[3 + s] * square;
-        }
-        advance(g0, x, g1);
-        for (int j = 0; j < K; ++j) g_new[j * rows + i] = g1[j];
-        for (int j = 0; j < N; ++j) {
-            nu_new[j * rows + i] = v[j];
-            momentum_new[j * rows + i] = p[j];
-        }
-        effort_new[i] = e;
-    }
-}
+{{
+#pragma GCC ivdep
+for (long i = 0; i < rows; ++i) {{
+double g0[K], v0[N], p0[N], f[N], I[M], ext[N], d[N], a[N], b[N];
+double kx0[N], kx1[N], kx2[N], kx3[N], kv0[N], kv1[N], kv2[N], kv3[N];
+double x[N], v[N], p[N], pushed[N], g1[K];
+K: g0[$] = g[$ * rows + i];
+M: I[$] = inertia[$ * rows + i];
+N: v0[$] = nu[$ * rows + i];
+N: p0[$] = momentum[$ * rows + i];
+N: f[$] = force[$ * rows + i];
+N: ext[$] = external[$ * rows + i];
+N: d[$] = disturbance[$ * rows + i];
+N: a[$] = sine[$ * rows + i];
+N: b[$] = cosine[$ * rows + i];
+double e = effort[i], square = f[0] * f[0];
+R: square = square + f[$] * f[$];
+{_STEPS}
+advance(g0, x, g1);
+K: g_new[$ * rows + i] = g1[$];
+N: nu_new[$ * rows + i] = v[$];
+N: momentum_new[$ * rows + i] = p[$];
+effort_new[i] = e;
+}}
+}}
 
 void apart(long rows, APART_ARGUMENTS)
-{
-    for (long i = 0; i < rows; ++i) {
-        double g0[K], v0[N], g1[K], v1[N], far[1];
-        for (int j = 0; j < K; ++j) g0[j] = g[j * rows + i];
-        for (int j = 0; j < N; ++j) v0[j] = nu[j * rows + i];
-        deviation(g0, v0, g_r, nu_r, g1, v1, far);
-        for (int j = 0; j < K; ++j) g_e[j * rows + i] = g1[j];
-        for (int j = 0; j < N; ++j) nu_e[j * rows + i] = v1[j];
-        height[i] = far[0];
-    }
-}
+{{
+#pragma GCC ivdep
+for (long i = 0; i < rows; ++i) {{
+double g0[K], v0[N], g1[K], v1[N], far[1];
+K: g0[$] = g[$ * rows + i];
+N: v0[$] = nu[$ * rows + i];
+deviation(g0, v0, g_r, nu_r, g1, v1, far);
+K: g_e[$ * rows + i] = g1[$];
+N: nu_e[$ * rows + i] = v1[$];
+height[i] = far[0];
+}}
+}}
 
 void follow(FOLLOW_ARGUMENTS)
-{
-    double k[4][N], x[N];
-    for (int s = 0; s < 4; ++s) {
-        for (int j = 0; j < N; ++j) x[j] = s ? 0.0 + weight[s - 1] * k[s ? s - 1 : 0][j] : 0.0;
-        chart_rate(x, nu_r + s * N, k[s]);
-    }
-    for (int j = 0; j < N; ++j) x[j] = 0.0;
-    for (int s = 0; s < 4; ++s)
-        for (int j = 0; j < N; ++j) x[j] = x[j] + weight[3 + s] * k[s][j];
-    advance(g_r, x, g_r_new);
-}
+{{
+double k[4][N], x[N];
+N: x[$] = 0.0;
+for (int s = 0; s < 4; ++s) {{
+chart_rate(x, nu_r + s * N, k[s]);
+if (s == 3) break;
+N: x[$] = 0.0 + weight[s] * k[s][$];
+}}
+N: x[$] = 0.0;
+for (int s = 0; s < 4; ++s) {{
+N: x[$] = x[$] + weight[3 + s] * k[s][$];
+}}
+advance(g_r, x, g_r_new);
+}}
 """
+"""A line `N: ...` stands for one statement per coordinate `$`; K is of stored numbers, M of the
+inertia, R of all coordinates but the first. No loop is left inside that over the rows, which the
+compiler can then do several rows at a time."""
+
+
+def _written(line: str, counts: Mapping[str, range]) -> list[str]:
+    """The statements of a line of _SOURCE."""
+    head, mark, statement = line.partition(": ")
+    if not mark or head not in counts:
+        return [line]
+    return [statement.replace("$", str(place)) for place in counts[head]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -51,17 +52,27 @@ PAPER = Captions(
 
 def captions_of(group: Group) -> Captions:
     """Names and units on any group."""
-    far = measure(group)
-    name = {"Psi": r"$\Psi$"}.get(far.name, far.name.replace("^2", "²"))
-    force = group.force_unit
-    several = ", " in force
-    root = f"({force}) √s" if several else f"{force} √s"
+    far, force = measure(group), _raised(group.force_unit)
+    root = f"({force}) √s" if ", " in force else f"{force} √s"
     return Captions(
-        f"{name}  [{far.unit.replace('^2', '²')}]",
-        rf"$\Vert\nu_e\Vert$  [{group.unit}]",
+        f"{_symbols(far.name)}  [{_raised(far.unit)}]",
+        rf"$\Vert\nu_e\Vert$  [{_raised(group.unit)}]",
         rf"$\Vert$force$\Vert$  [{force}]",
         rf"$(\int_0^t\,\Vert$force$\Vert^2\,\mathrm{{d}}t)^{{1/2}}$  [{root}]",
     )
+
+
+def _symbols(name: str) -> str:
+    """The name of a Morse function as a formula."""
+    told = re.sub(r"\bq0\b", "q_0", name)
+    for word in ("Psi", "log"):
+        told = re.sub(rf"\b{word}\b", rf"\\{word} ", told)
+    return f"${told}$"
+
+
+def _raised(unit: str) -> str:
+    """A unit with its powers raised."""
+    return re.sub(r"\^(\d+)", r"$^{\1}$", unit)
 
 
 @dataclass(frozen=True)

@@ -2,70 +2,65 @@
 
 from __future__ import annotations
 
-import io
 from typing import Any
 
 import numpy as np
-from matplotlib import rc_context
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from derive.simulate.chunk import Rows
+from derive.simulate.style import COLOURS, GREY, ruled, sheet, written
 
 Values = NDArray[np.float64]
 
-STYLE: Any = {
-    "svg.hashsalt": "derive",
-    "font.size": 10,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.alpha": 0.3,
-}
-BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"  # Okabe and Ito
 SIZE, BINS = (6.4, 4.2), 16
+BLUE, ORANGE = COLOURS[:2]
 
 
 def pictures(rows: Rows, title: str) -> dict[str, bytes]:
-    """File name -> bytes, PNG and SVG of each picture; the same rows are the same bytes."""
-    with rc_context(STYLE):
-        drawn = {"settling_time": _times(rows, title), "success_map": _map(rows, title)}
-        return {f"{name}.{form}": _saved(figure, form)
-                for name, figure in drawn.items() for form in ("png", "svg")}  # fmt: skip
+    """File name -> bytes, PNG and SVG of each; equal rows are equal bytes. PlotterMissing."""
+    found: dict[str, bytes] = {}
+    for name, draw in (("settling_time", _times), ("success_map", _map)):
+        with ruled():
+            figure = draw(rows, title)
+        found |= {f"{name}{form}": data for form, data in written(figure).items()}
+    return found
 
 
-def _times(rows: Rows, title: str) -> Figure:
+def _times(rows: Rows, title: str) -> Any:
     """Settling time over how far the start is: every run, and quantiles of slices."""
     label, far = _distance(rows)
     settled = rows["settled"]
-    figure = Figure(figsize=SIZE, layout="constrained")
-    axes = figure.add_subplot()
-    axes.scatter(far[settled], rows["settling_time"][settled], s=5, color=GREY, linewidths=0,
-                 alpha=0.5, rasterized=True, label="a run")  # fmt: skip
+    figure, axes = _axes(title)
+    axes.scatter(far[settled], rows["settling_time"][settled], s=4, color=GREY, linewidths=0,
+                 alpha=0.45, rasterized=True, label="a run")  # fmt: skip
     middle, low, mid, high = _bands(far[settled], rows["settling_time"][settled])
-    axes.fill_between(middle, low, high, color=BLUE, alpha=0.25, linewidth=0, label="5 to 95 %")
-    axes.plot(middle, mid, color=BLUE, label="median")
+    axes.fill_between(middle, low, high, color=BLUE, alpha=0.3, linewidth=0, label="5 to 95 %")
+    axes.plot(middle, mid, color=BLUE, linewidth=2, label="median")
     if not settled.all():
         lost = far[~settled]
         axes.plot(lost, np.ones(len(lost)), "x", color=ORANGE, markersize=5, clip_on=False,
                   transform=axes.get_xaxis_transform(), label="not settled")  # fmt: skip
-    axes.set(xlabel=label, ylabel="settling time [s]", title=title)
-    axes.legend(frameon=False, loc="best")
+    axes.set(xlabel=label, ylabel="settling time  [s]")
+    axes.legend(loc="lower right", markerscale=2)
     return figure
 
 
-def _map(rows: Rows, title: str) -> Figure:
-    """Share of settled runs over how far and how fast the start is; cells without runs are open."""
+def _map(rows: Rows, title: str) -> Any:
+    """Share of settled runs over how far and how fast the start is."""
     label, far = _distance(rows)
-    speed = rows["initial_rate"]
-    shares, xs, ys = _shares(far, speed, rows["settled"])
-    figure = Figure(figsize=SIZE, layout="constrained")
-    axes = figure.add_subplot()
+    shares, xs, ys = _shares(far, rows["initial_rate"], rows["settled"])
+    figure, axes = _axes(f"{title} (blank: none starts there)")
     axes.grid(visible=False)
     mesh = axes.pcolormesh(xs, ys, shares.T, cmap="cividis", vmin=0.0, vmax=1.0)
     figure.colorbar(mesh, ax=axes, label="share of runs that settle")
-    axes.set(xlabel=label, ylabel="initial |nu_e|", title=title)
+    axes.set(xlabel=label, ylabel=r"initial $\Vert\nu_e\Vert$")
     return figure
+
+
+def _axes(title: str) -> tuple[Any, Any]:
+    figure = sheet(*SIZE)
+    figure.set_layout_engine("constrained")
+    return figure, figure.add_subplot(title=title)
 
 
 def _shares(far: Values, speed: Values, settled: NDArray[Any]) -> tuple[Any, Values, Values]:
@@ -81,7 +76,7 @@ def _distance(rows: Rows) -> tuple[str, Values]:
     """The initial angle, or the height where nothing turns."""
     angle = rows["initial_angle"]
     if np.isfinite(angle).all():
-        return "initial angle [rad]", angle
+        return "initial angle  [rad]", angle
     return "initial height", rows["initial_height"]
 
 
@@ -97,10 +92,3 @@ def _bands(far: Values, times: Values) -> tuple[Values, ...]:
 def _ends(values: Values) -> tuple[float, float]:
     low, high = float(values.min()), float(values.max())
     return (low, high) if high > low else (low - 0.5, high + 0.5)
-
-
-def _saved(figure: Figure, form: str) -> bytes:
-    buffer = io.BytesIO()
-    undated = {"Date": None} if form == "svg" else {"Software": None}
-    figure.savefig(buffer, format=form, dpi=160, metadata=undated)
-    return buffer.getvalue()

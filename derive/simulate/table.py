@@ -27,7 +27,7 @@ def packed(rows: Rows) -> bytes:
 def unpacked(path: Path) -> Rows | None:
     """Rows that were kept; None where the file is none of ours, or damaged."""
     try:
-        with np.load(path, allow_pickle=False) as kept:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as kept:
             return {name: kept[name] for name in kept.files}
     except (BadZipFile, ValueError, EOFError, KeyError):
         return None

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from derive.control.table import CONTROLLERS, Controller
+from derive.control.table import CONTROLLERS, Gain
 from derive.vehicle.key import HOMES
 from derive.vehicle.number import positive
 from derive.vehicle.text import Table, described, quoted
@@ -17,18 +17,14 @@ def gains_of(top: Table, name: str) -> tuple[tuple[str, Fraction], ...]:
     for key in gains.values:
         _refuse_foreign(gains, key, name)
     gains.only(takes.names, HOMES)
-    return tuple((gain, _gain(gains, gain, unit)) for gain, unit in _units(takes))
+    return tuple((gain.name, _gain(gains, gain)) for gain in takes.gains)
 
 
-def _units(takes: Controller) -> tuple[tuple[str, str], ...]:
-    return tuple((gain.name, gain.unit) for gain in takes.gains)
-
-
-def _gain(gains: Table, name: str, unit: str) -> Fraction:
-    remedy = (
-        f"write {name} = 1.0, or another positive number without quotes, in {unit}, below [gains]"
-    )
-    return positive(gains, name, LARGEST_GAIN, remedy)
+def _gain(gains: Table, gain: Gain) -> Fraction:
+    """One gain, in its unit."""
+    number = f"{gain.name} = 1.0, or another positive number without quotes"
+    remedy = f"write {number}, in {gain.unit}, below [gains]"
+    return positive(gains, gain.name, LARGEST_GAIN, remedy)
 
 
 def _refuse_foreign(gains: Table, key: str, name: str) -> None:

@@ -1,0 +1,116 @@
+"""What `derive sweep` cannot use: one message that says what, where, and what to do; exit 2."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from derive import cli
+from tests.command import MESSAGE, ROOT
+
+VEHICLE = str(ROOT / "vehicles" / "paper_so3.toml")
+FLY = ("--runs", "2", "--duration", "0.1", "--rate", "100", "--backend", "numpy", "--workers", "1")
+
+WRONG = [
+    (("--runs", "0"), "--runs", "from 1 to 1000000"),
+    (("--runs", "1e3"), "--runs", "a whole number"),
+    (("--runs", "-5"), "--runs", "-5"),
+    (("--duration", "0"), "--duration", "0"),
+    (("--duration", "nan"), "--duration", "nan"),
+    (("--duration", "long"), "--duration", "long"),
+    (("--rate", "inf"), "--rate", "inf"),
+    (("--rate", "-1"), "--rate", "-1"),
+    (("--rate", "0.5"), "rate", "at least one period"),
+    (("--noise-g", "-0.1"), "--noise-g", "-0.1"),
+    (("--noise-g", "nan"), "--noise-g", "nan"),
+    (("--noise-nu", "x"), "--noise-nu", "x"),
+    (("--seed", "-1"), "--seed", "a whole number"),
+    (("--seed", "9" * 30), "--seed", "9" * 30),
+    (("--seed", "0.5"), "--seed", "0.5"),
+    (("--chunk", "0"), "--chunk", "0"),
+    (("--workers", "0"), "--workers", "0"),
+    (("--workers", "many"), "--workers", "many"),
+    (("--settle", "0"), "--settle", "above 0"),
+    (("--box", "-1"), "--box", "-1"),
+    (("--speed", "nan"), "--speed", "nan"),
+    (("--inertia-error", "1"), "inertia_error", "less than 1"),
+    (("--disturbance", "1,2"), "--disturbance", "2 numbers"),
+    (("--force-limit", "0"), "--force-limit", "above 0"),
+    (("--backend", "f16"), "--backend", "f16"),
+    (("--format", "xlsx"), "--format", "xlsx"),
+    (("--resume",), "--resume", "no such file"),
+    (("--cluster", "tcp://127.0.0.1:9"), "--cluster", "tcp://127.0.0.1:9"),
+    (("--cluster", "nowhere"), "--cluster", "nowhere"),
+    (("--cluster", "carrier://pigeon"), "--cluster", "carrier"),
+]
+
+
+def refused(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    """The message of a command line that must end with one."""
+    start = time.monotonic()
+    code = cli.run(["sweep", VEHICLE, "--no-cache", *FLY, *arguments])
+    said = capsys.readouterr()
+    assert (code, said.out) == (2, "")
+    assert all(said.err.count(part) == 1 for part in MESSAGE), said.err
+    assert time.monotonic() - start < 20
+    return said.err
+
+
+@pytest.mark.parametrize(("given", "key", "found"), WRONG, ids=lambda one: str(one)[:40])
+def test_it_is_told(
+    given: tuple[str, ...], key: str, found: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    said = refused(capsys, "--out", str(tmp_path / "out"), *given)
+    assert key in said.splitlines()[0]
+    assert found in said
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_that_holds_something_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "mine").write_text("mine")
+    assert "other files" in refused(capsys, "--out", str(tmp_path))
+    (tmp_path / "sweep.json").write_text("{}")
+    assert "--resume" in refused(capsys, "--out", str(tmp_path))
+    assert (tmp_path / "mine").read_text() == "mine"
+
+
+def test_a_file_in_the_place_of_the_folder_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "out").write_text("mine")
+    refused(capsys, "--out", str(tmp_path / "out"))
+    refused(capsys, "--out", str(tmp_path / "out" / "below"))
+
+
+def test_a_definition_that_cannot_be_read_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "sweep.json").write_text("[")
+    assert "not readable" in refused(capsys, "--out", str(tmp_path), "--resume")
+
+
+def test_without_a_compiler_numpy_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    said = refused(capsys, "--out", str(tmp_path / "out"), "--backend", "f64")
+    assert "--backend numpy" in said
+
+
+def test_a_whole_sweep_is_not_flown_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    line = ["sweep", VEHICLE, "--no-cache", *FLY, "--format", "csv", "--out", str(tmp_path / "out")]
+    assert cli.run(line) == 0
+    before = stamps(tmp_path / "out")
+    assert cli.run([*line, "--resume"]) == 0
+    assert "whole already" in capsys.readouterr().out
+    assert stamps(tmp_path / "out") == before
+
+
+def stamps(folder: Path) -> dict[str, int]:
+    return {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
