@@ -38,8 +38,9 @@ class Invariant:
 
 
 def invariants(loop: Loop, flight: Flight) -> list[Invariant]:
-    """All of them, for the only loop of a run."""
-    return [_decay(loop, flight), _membership(loop, flight), _freedom(loop)]
+    """All of them, for the only loop of a run; one that has lost its numbers breaks them."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        return [_decay(loop, flight), _membership(loop, flight), _freedom(loop)]
 
 
 def _decay(loop: Loop, flight: Flight) -> Invariant:
@@ -67,10 +68,17 @@ def _why_no_decay(loop: Loop, flight: Flight) -> str:
         (np.any(flight.force != flight.asked), "the actuators saturate"),
         (np.any(flight.status >= 16), "the controller refused a state"),
         (np.any(runs.inertia != np.array(loop.craft.inertia)[:, None]), "the inertia is in error"),
-        (crossings(flight.nu_u[:, loop.space.turns]) > 0, "the error crosses the cut locus"),
+        (_crosses(loop, flight), "the error crosses the cut locus"),
         (not np.any(flight.s[0]), "s starts at zero"),
     )
     return next((why for applies, why in reasons if applies), "")
+
+
+def _crosses(loop: Loop, flight: Flight) -> bool:
+    """Whether the law jumps, and not only because instants are too far apart to follow it."""
+    turns = loop.space.turns
+    moved = np.abs(flight.nu_e[:, turns]).max(initial=0.0) * loop.setting.period
+    return crossings(flight.nu_u[:, turns]) > 0 and bool(moved < CUT_STEP)
 
 
 def crossings(nu_u: Array) -> int:
@@ -82,10 +90,11 @@ def crossings(nu_u: Array) -> int:
 
 def _membership(loop: Loop, flight: Flight) -> Invariant:
     """Residual of g and g_r, relative to the square of their largest entry."""
-    worst = 0.0
+    off = []
     for g in (flight.g, flight.g_r):
         size = np.maximum(1.0, np.abs(g).max(1)) ** 2
-        worst = max(worst, float((loop.space.drift(g.T) / size).max()))
+        off.append(loop.space.drift(g.T) / size)
+    worst = float(np.max(off))  # of which a NaN is the largest
     return Invariant("g and g_r stay on the group", worst, 1e-10)
 
 
