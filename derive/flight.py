@@ -67,8 +67,9 @@ def spread_of(vehicle: Vehicle, box: float, speed: float) -> Spread:
         raise InputError(vehicle.source, "simulate.inertia_error",
                          "less than 1 where it is drawn: an inertia is positive",
                          f"{error:g}", remedy)  # fmt: skip
-    widths = (max(map(abs, map(float, one)), default=0.0) for one in (said.disturbance, said.wave))
-    return Spread(box, speed, error, *widths)
+    widths = (tuple(abs(float(x)) for x in one) for one in (said.disturbance, said.wave))
+    given = (tuple(map(float, one)) for one in (said.momentum, said.external))
+    return Spread(box, speed, error, *widths, *given)
 
 
 def setting_of(vehicle: Vehicle, made: Craft, reference: Reference) -> Setting:

@@ -98,7 +98,7 @@ def _start(plan: Plan, rate: float | None, runs: Runs, watch: Watch) -> Rows:
     n = runs.nu.shape[0]
     diagonal = np.cumsum([0, *range(n, 1, -1)])  # of an upper triangle by rows
     grown = runs.inertia[diagonal] / np.array(plan.craft.inertia)[diagonal, None]
-    waves = (("sine", runs.sine), ("cosine", runs.cosine)) if plan.spread.wave else ()
+    waves = (("sine", runs.sine), ("cosine", runs.cosine)) if any(plan.spread.wave) else ()
     blocks = (("inertia", grown), ("disturbance", runs.disturbance), *waves)
     return {
         "seed": np.array(runs.seeds),

@@ -63,3 +63,9 @@ def folder_of(craft: Craft) -> Path:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
     return root
+
+
+def forget() -> None:
+    """Remove these folders now, in a process that is about to end without ceremony."""
+    while _KEPT:
+        _KEPT.pop().cleanup()

@@ -21,6 +21,7 @@ from derive.simulate.runs import Runs
 from derive.simulate.space import Array, Space, space_of
 
 Numbers = list[float]
+Column = tuple[float, ...]
 
 TURN = 8
 """Parts of a whole turn: an angle of 2 pi in steps of less than 1 rad."""
@@ -28,20 +29,23 @@ TURN = 8
 
 @dataclass(frozen=True)
 class Spread:
-    """How far a run may lie from the nominal one; each is the half width of a uniform draw.
+    """How far a run may lie from the nominal one: half widths of uniform draws, and what is given.
 
     box:         initial error in algebra coordinates, rad and m, where the group is not compact
     speed:       initial velocity error per coordinate, rad/s and m/s
     inertia:     of the plant, relative
-    disturbance: constant force per coordinate, N m and N
-    wave:        amplitudes of the periodic force, of its sine and of its cosine
+    disturbance: constant force, (n,), N m and N; () is zero, as below
+    wave:        amplitudes of the periodic force, of its sine and of its cosine, (n,)
+    momentum, external: of wheels at the start, and the known force, (n,); not drawn
     """
 
     box: float = 1.0
     speed: float = 0.5
     inertia: float = 0.0
-    disturbance: float = 0.0
-    wave: float = 0.0
+    disturbance: Column = ()
+    wave: Column = ()
+    momentum: Column = ()
+    external: Column = ()
 
 
 @dataclass(frozen=True)
@@ -91,16 +95,16 @@ def drawn(craft: Craft, reference: Reference, spread: Spread, seeds: Sequence[in
     g_e = _errors(space, plan, spread, draws)
     nu_r, _ = reference.at(0.0)
     eta = -space.deviation(g_e, np.zeros((space.dim, len(seeds))), space.identity, nu_r)[1]
-    still = np.zeros((space.dim, 1))
+    n = space.dim
     return Runs(
         g=space.compose(reference.start, g_e),
-        nu=eta + _spread([one.speed for one in draws], spread.speed),
-        momentum=still,
+        nu=eta + spread.speed * _columns([one.speed for one in draws]),
+        momentum=_column(spread.momentum, n),
         inertia=_inertias(craft.inertia, [one.inertia for one in draws], spread.inertia),
-        external=still,
-        disturbance=_spread([one.force for one in draws], spread.disturbance),
-        sine=_spread([one.sine for one in draws], spread.wave),
-        cosine=_spread([one.cosine for one in draws], spread.wave),
+        external=_column(spread.external, n),
+        disturbance=_column(spread.disturbance, n) * _columns([one.force for one in draws]),
+        sine=_column(spread.wave, n) * _columns([one.sine for one in draws]),
+        cosine=_column(spread.wave, n) * _columns([one.cosine for one in draws]),
         seeds=tuple(seeds),
     )
 
@@ -194,5 +198,9 @@ def _inertias(upper: tuple[float, ...], draws: list[Numbers], width: float) -> A
                      for entry, (i, j) in zip(upper, pairs, strict=True)])  # fmt: skip
 
 
-def _spread(draws: list[Numbers], width: float) -> Array:
-    return width * np.array(draws).T
+def _columns(draws: list[Numbers]) -> Array:
+    return np.array(draws).T
+
+
+def _column(values: Column, n: int) -> Array:
+    return np.array(values or (0.0,) * n)[:, None]

@@ -17,6 +17,7 @@ from concurrent.futures.process import BrokenProcessPool
 from typing import Any, Protocol
 
 from derive.simulate.chunk import Plan, Rows, fly
+from derive.simulate.craft import forget
 
 Chunk = tuple[int, int]
 """The first run and the one after the last."""
@@ -188,7 +189,7 @@ def _pool(workers: int) -> ProcessPoolExecutor:
 def _ready() -> None:
     """In a worker: Ctrl-C is for the parent, whose end is the worker's."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.signal(signal.SIGTERM, lambda *_: _end())
     parent = multiprocessing.parent_process()
     if parent is not None:
         threading.Thread(target=_follow, args=(parent.join,), daemon=True).start()
@@ -196,4 +197,10 @@ def _ready() -> None:
 
 def _follow(gone: Callable[[], None]) -> None:
     gone()
+    _end()
+
+
+def _end() -> None:
+    """Leave at once, and no folder behind."""
+    forget()
     os._exit(1)

@@ -5,13 +5,14 @@ The arithmetic is that of derive.simulate.loop, operation by operation: the same
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
 
 from derive.control import mechanics, motion
 from derive.emit import inline
+from derive.emit.render import environment
 from derive.native.kernel import Kernel
 from derive.simulate.craft import Craft, folder_of
 from derive.simulate.method import KUTTA
@@ -86,18 +87,25 @@ def _kernel(craft: Craft) -> Kernel:
     return Kernel(_text(craft, space), _PROTOTYPES, folder_of(craft) / "build", name)
 
 
-_POINTER = "const double *restrict "
-_GIVEN = ("weight", "turn", "g", "nu", "momentum", "effort", "force",
-          "inertia", "external", "disturbance", "sine", "cosine")  # fmt: skip
-_FOUND = ("g_new", "nu_new", "momentum_new", "effort_new")
-_STEP = ", ".join([*(_POINTER + n for n in _GIVEN), *(f"double *restrict {n}" for n in _FOUND)])
-_APART = ", ".join([*(_POINTER + n for n in ("g", "nu", "g_r", "nu_r")),
-                    *(f"double *restrict {n}" for n in ("g_e", "nu_e", "height"))])  # fmt: skip
-_FOLLOW = ", ".join(
-    [*(_POINTER + n for n in ("weight", "nu_r", "g_r")), "double *restrict g_r_new"]
-)
+_STATE = ("g", "nu", "momentum", "effort")
+_MET = ("inertia", "external", "disturbance", "sine", "cosine")
+_ARGUMENTS = {
+    "step": (("weight", "turn", *_STATE, "force", *_MET), tuple(f"{one}_new" for one in _STATE)),
+    "apart": (("g", "nu", "g_r", "nu_r"), ("g_e", "nu_e", "height")),
+    "follow": (("weight", "nu_r", "g_r"), ("g_r_new",)),
+}
+"""Function -> the columns it takes, and those it gives."""
+
+_POINTERS = {
+    name: ", ".join(
+        [f"const double *restrict {one}" for one in taken]
+        + [f"double *restrict {one}" for one in given]
+    )
+    for name, (taken, given) in _ARGUMENTS.items()
+}
 _PROTOTYPES = (
-    f"void held_step(long rows, {_STEP}); void apart(long rows, {_APART}); void follow({_FOLLOW});"
+    f"void held_step(long rows, {_POINTERS['step']}); "
+    f"void apart(long rows, {_POINTERS['apart']}); void follow({_POINTERS['follow']});"
 )
 
 
@@ -105,122 +113,14 @@ def _text(craft: Craft, space: Space) -> str:
     """C source, with every size a constant so that the compiler unrolls what is small."""
     group = space.group
     plant = mechanics.plant(group, craft.pattern, craft.options)
-    known = {"inertia": "I", "nu": "v", "force": "pushed", "momentum": "p", "external": "ext"}
-    arguments = ", ".join(known[one.name] for one in plant.inputs)
+    local = {"inertia": "inertia0", "nu": "v", "force": "pushed", "momentum": "p",
+             "external": "known"}  # fmt: skip
     derived = [motion.advance(group), motion.chart_rate(group), motion.deviation(group), plant]
-    sizes = {"K": space.size, "N": space.dim, "M": len(craft.inertia)}
-    defines = "\n".join(f"#define {name} {size}" for name, size in sizes.items())
-    body = _SOURCE
-    for mark, by in {
-        "STEP_ARGUMENTS": _STEP,
-        "APART_ARGUMENTS": _APART,
-        "FOLLOW_ARGUMENTS": _FOLLOW,
-        "PLANT_ARGUMENTS": arguments,
-    }.items():
-        body = body.replace(mark, by)
-    counts = {name: range(size) for name, size in sizes.items()} | {"R": range(1, space.dim)}
-    lines = [one for line in body.splitlines() for one in _written(line, counts)]
-    return "\n".join([inline.functions(derived), defines, *lines, ""])
-
-
-_STAGE = """
-N: pushed[$] = f[$] + (d[$] + turn[TWICE] * a[$] + turn[TWICE + 1] * b[$]);
-plant(PLANT_ARGUMENTS, kvSTAGE);
-chart_rate(x, v, kxSTAGE);
-"""
-_NEXT = """
-N: x[$] = 0.0 + weight[STAGE] * kxSTAGE[$];
-N: v[$] = v0[$] + weight[STAGE] * kvSTAGE[$];
-N: p[$] = p0[$] + weight[STAGE] * -f[$];
-"""
-_START = """
-N: x[$] = 0.0;
-N: v[$] = v0[$];
-N: p[$] = p0[$];
-"""
-_ADD = """
-N: x[$] = x[$] + weight[3 + STAGE] * kxSTAGE[$];
-N: v[$] = v[$] + weight[3 + STAGE] * kvSTAGE[$];
-N: p[$] = p[$] + weight[3 + STAGE] * -f[$];
-e = e + weight[3 + STAGE] * square;
-"""
-
-
-def _staged(text: str, stage: int) -> str:
-    return text.replace("STAGE", str(stage)).replace("TWICE", str(2 * stage))
-
-
-_STEPS = "".join(
-    [_START, *(_staged(_STAGE + _NEXT * (stage < 3), stage) for stage in range(4)),
-     _START, *(_staged(_ADD, stage) for stage in range(4))]
-)  # fmt: skip
-
-_SOURCE = f"""
-void held_step(long rows, STEP_ARGUMENTS)
-{{
-#pragma GCC ivdep
-for (long i = 0; i < rows; ++i) {{
-double g0[K], v0[N], p0[N], f[N], I[M], ext[N], d[N], a[N], b[N];
-double kx0[N], kx1[N], kx2[N], kx3[N], kv0[N], kv1[N], kv2[N], kv3[N];
-double x[N], v[N], p[N], pushed[N], g1[K];
-K: g0[$] = g[$ * rows + i];
-M: I[$] = inertia[$ * rows + i];
-N: v0[$] = nu[$ * rows + i];
-N: p0[$] = momentum[$ * rows + i];
-N: f[$] = force[$ * rows + i];
-N: ext[$] = external[$ * rows + i];
-N: d[$] = disturbance[$ * rows + i];
-N: a[$] = sine[$ * rows + i];
-N: b[$] = cosine[$ * rows + i];
-double e = effort[i], square = f[0] * f[0];
-R: square = square + f[$] * f[$];
-{_STEPS}
-advance(g0, x, g1);
-K: g_new[$ * rows + i] = g1[$];
-N: nu_new[$ * rows + i] = v[$];
-N: momentum_new[$ * rows + i] = p[$];
-effort_new[i] = e;
-}}
-}}
-
-void apart(long rows, APART_ARGUMENTS)
-{{
-#pragma GCC ivdep
-for (long i = 0; i < rows; ++i) {{
-double g0[K], v0[N], g1[K], v1[N], far[1];
-K: g0[$] = g[$ * rows + i];
-N: v0[$] = nu[$ * rows + i];
-deviation(g0, v0, g_r, nu_r, g1, v1, far);
-K: g_e[$ * rows + i] = g1[$];
-N: nu_e[$ * rows + i] = v1[$];
-height[i] = far[0];
-}}
-}}
-
-void follow(FOLLOW_ARGUMENTS)
-{{
-double k[4][N], x[N];
-N: x[$] = 0.0;
-for (int s = 0; s < 4; ++s) {{
-chart_rate(x, nu_r + s * N, k[s]);
-if (s == 3) break;
-N: x[$] = 0.0 + weight[s] * k[s][$];
-}}
-N: x[$] = 0.0;
-for (int s = 0; s < 4; ++s) {{
-N: x[$] = x[$] + weight[3 + s] * k[s][$];
-}}
-advance(g_r, x, g_r_new);
-}}
-"""
-"""A line `N: ...` stands for one statement per coordinate `$`; K is of stored numbers, M of the
-inertia, R of all coordinates but the first. No loop is left inside that over the rows, which the
-compiler can then do several rows at a time."""
-
-
-def _written(line: str, counts: Mapping[str, range]) -> list[str]:
-    """The statements of a line of _SOURCE."""
-    head, mark, statement = line.partition(": ")
-    if not mark or head not in counts:
-        return [line]
-    return [statement.replace("$", str(place)) for place in counts[head]]
+    return environment().get_template("simulate/held.c.jinja").render(
+        functions=inline.functions(derived),
+        plant=[local[one.name] for one in plant.inputs],
+        k=space.size,
+        n=space.dim,
+        m=len(craft.inertia),
+        **_POINTERS,
+    )  # fmt: skip

@@ -114,7 +114,8 @@ def test_runs_start_on_the_group(group: str) -> None:
 
 @pytest.mark.parametrize("group", ALL)
 def test_a_run_is_the_same_in_any_company(group: str) -> None:
-    spread = Spread(inertia=0.3, disturbance=0.1, wave=0.2)
+    n = space_of(craft(group)).dim
+    spread = Spread(inertia=0.3, disturbance=(0.1,) * n, wave=(0.2,) * n)
     whole, few = of(group, 9, spread), of(group, 2, spread)
     names = ("g", "nu", "inertia", "disturbance", "sine", "cosine")
     for name in names:
@@ -153,6 +154,16 @@ def test_an_error_is_counted_from_the_reference() -> None:
                   .reference(), Spread(), [5])  # fmt: skip
     expected = start @ plain.g[:, 0].reshape(3, 3)
     np.testing.assert_allclose(runs.g[:, 0].reshape(3, 3), expected, atol=1e-14)
+
+
+def test_forces_are_drawn_per_coordinate_and_known_ones_are_given() -> None:
+    spread = Spread(disturbance=(0.1, 0.0, 3.0), wave=(0.0, 2.0, 0.0), momentum=(1.0, 2.0, 3.0),
+                    external=(4.0, 5.0, 6.0))  # fmt: skip
+    runs = of("SO3", 200, spread)
+    widest = [np.abs(one).max(1) for one in (runs.disturbance, runs.sine, runs.cosine)]
+    np.testing.assert_allclose(widest, [(0.1, 0, 3), (0, 2, 0), (0, 2, 0)], rtol=0.05)
+    assert runs.momentum.tolist() == [[1.0], [2.0], [3.0]]
+    assert runs.external.tolist() == [[4.0], [5.0], [6.0]]
 
 
 def _of_matrix(g: Array) -> Array:

@@ -22,7 +22,9 @@ LOOPS = 5
 def flights(made: Plan, is_fast: bool) -> list[Flight]:
     reference = made.course.reference()
     seeds = [seed_of(1, i) for i in range(LOOPS)]
-    runs = drawn(made.craft, reference, replace(made.spread, wave=0.1), seeds)
+    runs = drawn(
+        made.craft, reference, replace(made.spread, wave=(0.1,) * space_of(made.craft).dim), seeds
+    )
     held = Held(made.craft, runs) if is_fast else None
     setting = replace(made.settings[0], hertz=0.7)
     return recorded(Loop(made.craft, "numpy", reference, setting, runs, held).moments())

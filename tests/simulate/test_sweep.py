@@ -15,15 +15,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive import campaign, crew, folder
+from derive import campaign, crew, folder, simulation
 from derive.crew import let_go
 from derive.simulate import executor, table
 from derive.simulate.chunk import Plan, Rows, fly, fly_seeds
 from derive.simulate.executor import Alone, Chunk, Cluster, Crew, Processes
+from derive.simulate.summary import summary
+from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import csv
 from derive.vehicle import InputError
 from tests.command import ROOT, derive
-from tests.simulate.crafts import asked, plan
+from tests.simulate.crafts import asked, plan, vehicle
 
 RUNS = 70
 BRIEF = 0.4  # s, of every run
@@ -212,6 +214,45 @@ def test_a_run_is_replayed_by_its_seed(truth: bytes) -> None:
         alone = plan(**{**said_of(8, {}), "rates": (float(row["rate"]),)})
         again = csv(fly_seeds(alone, [int(row["seed"])], int(row["run"]))).decode().splitlines()
         assert again == [lines[0], line]
+
+
+@pytest.mark.parametrize("backend", ["numpy", "f64"])
+def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
+    said = asked(backend=backend, seconds=1.0, wave=(0.1,), hertz=0.5)
+    row = fly(campaign.plan(vehicle("SO3"), None, said), 4, 5)
+    given = {**said.given, "rate": said.rates[0]}
+    seed = int(row["seed"][0])
+    again = simulation.Asked(backend, seed, said.box, said.speed, given)
+    flight = simulation.simulate(vehicle("SO3"), None, again).flight
+    assert row["energy"][0] == flight.energy[-1]
+    assert row["final_height"][0] == flight.height[-1]
+    assert row["initial_height"][0] == flight.height[0]
+
+
+@pytest.mark.parametrize("group", ["SO3", "R3"])
+@pytest.mark.parametrize("settle", [1e-9, 0.3])
+def test_pictures_are_drawn_of_any_outcome(group: str, settle: float) -> None:
+    rows = fly(plan(group, settle=settle, seconds=1.0, rates=(10.0,)), 0, 20)
+    drawn = pictures(rows, "some")
+    assert {*drawn} == {f"{name}.{form}" for name in ("settling_time", "success_map")
+                        for form in ("png", "svg")}  # fmt: skip
+    assert drawn["success_map.png"].startswith(b"\x89PNG")
+    assert drawn == pictures(rows, "some")
+    other = {**rows, "settled": ~rows["settled"], "settling_time": np.ones(20)}
+    assert drawn["success_map.svg"] != pictures(other, "some")["success_map.svg"]
+
+
+def test_the_summary_is_what_the_rows_say() -> None:
+    rows = fly(plan(settle=0.05, seconds=6.5, rates=(10.0,)), 0, 30)
+    found, settled = summary(rows), rows["settled"]
+    assert 0 < settled.sum() < 30
+    assert found["share_settled"] == pytest.approx(settled.mean())
+    times = sorted(rows["settling_time"][settled])
+    assert found["quantiles"]["settling_time"][1] == pytest.approx(np.median(times))
+    assert found["quantiles"]["energy"][2] == pytest.approx(np.percentile(rows["energy"], 95))
+    assert found["slowest"]["settling_time"] == times[-1]
+    assert [one["run"] for one in found["failed"]] == np.flatnonzero(~settled)[:5].tolist()
+    assert found["crossings"] == rows["crossings"].sum()
 
 
 def test_parquet_holds_what_csv_holds(truth: bytes, tmp_path: Path) -> None:
