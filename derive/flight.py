@@ -20,6 +20,7 @@ from derive.simulate.runs import Runs, Setting
 from derive.simulate.space import Array, space_of
 from derive.vehicle import InputError, Vehicle, check_facts, resolve
 
+LARGEST_TURN = 32  # rad, of the first error: five times around
 MOST_STEPS = 10**6  # of one run: what it records takes 1 GB, and hours
 TURN, SPEED = 0.5, 0.1  # of every coordinate at the start, where the vehicle file says nothing
 
@@ -84,6 +85,10 @@ def setting_of(vehicle: Vehicle, made: Craft, reference: Reference) -> Setting:
         expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
         found = f"{rate:g} Hz over {float(asked.seconds):g} s"
         raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
+    if any(asked.wave) and not asked.hertz:
+        expected, found = "above 0 where there is a wave", "0 Hz: no force at all"
+        remedy = "give its frequency; a constant force is a disturbance"
+        raise InputError(vehicle.source, "simulate.hertz", expected, found, remedy)
     setting = Setting(
         seconds=float(asked.seconds),
         rate=rate,
@@ -117,6 +122,10 @@ def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:
     asked, space = vehicle.experiment, space_of(made)
     n = space.dim
     turn = _column(asked.turn, n, TURN)
+    if np.abs(turn[space.turns]).max(initial=0.0) > LARGEST_TURN:
+        expected = f"at most {LARGEST_TURN} in a coordinate that turns"
+        found = ", ".join(f"{one:g}" for one in turn[:, 0])
+        raise InputError(vehicle.source, "simulate.turn", expected, found, "give it in rad")
     wave = _column(asked.wave, n)
     return Runs(
         g=space.far(reference.start, turn),
