@@ -100,11 +100,12 @@ def plan(vehicle: Vehicle, cached: Path | None, asked: Asked) -> Plan:
     one = overridden(vehicle, asked.given)
     made = craft(one, cached)
     rated = [overridden(one, {"rate": rate}) for rate in asked.rates] or [one]
+    followed = course(one, made)
     return Plan(
         craft=lean(made),
         backend=backend_of(asked.backend),
-        course=course(one, made),
-        settings=tuple(setting_of(each, made) for each in rated),
+        course=followed,
+        settings=tuple(setting_of(each, made, followed.reference()) for each in rated),
         spread=spread_of(one, asked.box, asked.speed),
         settle=asked.settle,
         root=asked.seed,

@@ -14,12 +14,14 @@ from derive import pipeline
 from derive.demand import wide
 from derive.simulate.craft import Craft
 from derive.simulate.draw import Spread
-from derive.simulate.pace import longest
+from derive.simulate.pace import longest, swiftness
 from derive.simulate.reference import Reference
 from derive.simulate.runs import Runs, Setting
 from derive.simulate.space import Array, space_of
 from derive.vehicle import InputError, Vehicle, check_facts, resolve
 
+LARGEST_TURN = 32  # rad, of the first error: five times around
+MOST_STEPS = 10**6  # of one run: what it records takes 1 GB, and hours
 TURN, SPEED = 0.5, 0.1  # of every coordinate at the start, where the vehicle file says nothing
 
 
@@ -71,7 +73,7 @@ def spread_of(vehicle: Vehicle, box: float, speed: float) -> Spread:
     return Spread(box, speed, error, *widths, *given)
 
 
-def setting_of(vehicle: Vehicle, made: Craft) -> Setting:
+def setting_of(vehicle: Vehicle, made: Craft, reference: Reference) -> Setting:
     """What its [simulate] says of every run. Raises InputError."""
     asked = vehicle.experiment
     rate = None if asked.rate is None else float(asked.rate)
@@ -83,15 +85,36 @@ def setting_of(vehicle: Vehicle, made: Craft) -> Setting:
         expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
         found = f"{rate:g} Hz over {float(asked.seconds):g} s"
         raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
-    return Setting(
+    if any(asked.wave) and not asked.hertz:
+        expected, found = "above 0 where there is a wave", "0 Hz: no force at all"
+        remedy = "give its frequency; a constant force is a disturbance"
+        raise InputError(vehicle.source, "simulate.hertz", expected, found, remedy)
+    setting = Setting(
         seconds=float(asked.seconds),
         rate=rate,
-        longest=longest(made, rate) if asked.step is None else float(asked.step),
+        longest=_step(vehicle, made, reference, rate),
         hertz=float(asked.hertz),
         force_limit=tuple(map(float, asked.force_limit)) or None,
         noise_g=float(asked.noise_g),
         noise_nu=float(asked.noise_nu),
     )
+    steps = setting.periods * setting.parts
+    if steps > MOST_STEPS:
+        found = f"{steps} of {setting.period / setting.parts:.3g} s"
+        remedy = "fly for a shorter time or at a lower rate; a --step replaces the one chosen here"
+        expected = f"at most {MOST_STEPS} steps of the integration"
+        raise InputError(vehicle.source, "simulate", expected, found, remedy)
+    return setting
+
+
+def _step(vehicle: Vehicle, made: Craft, reference: Reference, rate: float | None) -> float:
+    """The one that is given, or one that resolves what is known to be fast."""
+    asked = vehicle.experiment
+    if asked.step is not None:
+        return float(asked.step)
+    hertz = float(asked.hertz) if any(asked.wave) else 0.0
+    nu = _column(asked.nu, space_of(made).dim, SPEED)
+    return longest(made, rate, swiftness(made, reference, nu, hertz, float(asked.seconds)))
 
 
 def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:
@@ -99,6 +122,10 @@ def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:
     asked, space = vehicle.experiment, space_of(made)
     n = space.dim
     turn = _column(asked.turn, n, TURN)
+    if np.abs(turn[space.turns]).max(initial=0.0) > LARGEST_TURN:
+        expected = f"at most {LARGEST_TURN} in a coordinate that turns"
+        found = ", ".join(f"{one:g}" for one in turn[:, 0])
+        raise InputError(vehicle.source, "simulate.turn", expected, found, "give it in rad")
     wave = _column(asked.wave, n)
     return Runs(
         g=space.far(reference.start, turn),

@@ -57,10 +57,11 @@ def recorded(
 ) -> list[Flight]:
     """Fly all loops to the end; one Flight each. progress is told the time flown, s."""
     rows: dict[str, list[Array]] = {one.name: [] for one in fields(Flight)}
-    for moment in moments:
-        for name, value in _row(moment).items():
-            rows[name].append(value)
-        progress(moment.t)
+    with np.errstate(over="ignore", invalid="ignore"):  # a loop that is lost says so by its rows
+        for moment in moments:
+            for name, value in _row(moment).items():
+                rows[name].append(value)
+            progress(moment.t)
     loops = rows["nu"][0].shape[-1]
     stacked = {name: np.stack([np.broadcast_to(one, (*one.shape[:-1], loops)) for one in values])
                for name, values in rows.items()}  # fmt: skip

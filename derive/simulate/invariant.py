@@ -38,8 +38,9 @@ class Invariant:
 
 
 def invariants(loop: Loop, flight: Flight) -> list[Invariant]:
-    """All of them, for the only loop of a run."""
-    return [_decay(loop, flight), _membership(loop, flight), _freedom(loop)]
+    """All of them, for the only loop of a run; one that has lost its numbers breaks them."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        return [_decay(loop, flight), _membership(loop, flight), _freedom(loop)]
 
 
 def _decay(loop: Loop, flight: Flight) -> Invariant:
@@ -87,10 +88,11 @@ def crossings(flight: Flight, turns: Sequence[int], period: float) -> int:
 
 def _membership(loop: Loop, flight: Flight) -> Invariant:
     """Residual of g and g_r, relative to the square of their largest entry."""
-    worst = 0.0
+    off = []
     for g in (flight.g, flight.g_r):
         size = np.maximum(1.0, np.abs(g).max(1)) ** 2
-        worst = max(worst, float((loop.space.drift(g.T) / size).max()))
+        off.append(loop.space.drift(g.T) / size)
+    worst = float(np.max(off))  # of which a NaN is the largest
     return Invariant("g and g_r stay on the group", worst, 1e-10)
 
 

@@ -1,24 +1,42 @@
-"""How long a step may be, from how fast the closed loop is at rest at its reference."""
+"""How long a step may be: by how fast the loop answers, how fast it turns and is shaken."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
 from derive.simulate.craft import Craft
 from derive.simulate.pilot import pilot
-from derive.simulate.space import space_of
+from derive.simulate.reference import Reference
+from derive.simulate.space import Array, space_of
 
 SLOW, SAMPLED = 0.05, 0.01  # s, the longest step of a continuous and of a sampled loop
 PART = 0.1  # of the fastest time constant: a step of order 6 then errs by 1e-11
+PHASE = (0.02, 0.1)  # rad in a step of order 4 and of order 6: both then err by about 1e-10
+LOOKS = 200  # at a reference, over the duration
 NUDGE = 1e-3  # of the velocity, in its units
 
 
-def longest(craft: Craft, rate: float | None) -> float:
+def longest(craft: Craft, rate: float | None, swift: float = 0.0) -> float:
     """The longest step, s, for a controller of that rate in Hz, None for a continuous one.
 
-    With the force held the plant alone is integrated, whose motion does not depend on gains.
+    swift: how fast anything turns besides, rad/s. With the force held the plant alone is
+    integrated, whose motion does not depend on gains.
     """
-    return SAMPLED if rate is not None else min(SLOW, PART / fastest(craft))
+    answer = SAMPLED if rate is not None else min(SLOW, PART / fastest(craft))
+    return min(answer, PHASE[rate is None] / swift) if swift else answer
+
+
+def swiftness(craft: Craft, reference: Reference, nu: Array, hertz: float, seconds: float) -> float:
+    """Largest angular rate that is known beforehand, rad/s: of the start, the reference, a wave.
+
+    nu: first velocity (n, 1); hertz: of a periodic disturbance, 0 for none
+    """
+    turns = space_of(craft).turns
+    seen = [reference.at(seconds * i / LOOKS)[0] for i in range(LOOKS + 1)]
+    speeds = [float(np.linalg.norm(one[turns])) for one in (nu, *seen)]
+    return max(*speeds, 2 * math.pi * hertz)
 
 
 def fastest(craft: Craft) -> float:

@@ -7,6 +7,7 @@ result for one loop does not depend on how many others stand beside it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import cache, cached_property
 from pathlib import Path
@@ -69,11 +70,10 @@ class Space:
         return self._first(self._advance, g=g, x=x)
 
     def far(self, g: Array, x: Array) -> Array:
-        """The same for a displacement of any size, in steps that are small enough."""
-        largest = float(np.abs(x).max(initial=0.0))
-        parts = max(1, int(np.ceil(2 * largest)))
-        for _ in range(min(parts, 64)):
-            g = self.advance(g, x / min(parts, 64))
+        """The same for a displacement that turns by more, in steps that are small enough."""
+        parts = max(1, math.ceil(2 * float(np.abs(x[self.turns]).max(initial=0.0))))
+        for _ in range(parts):
+            g = self.advance(g, x / parts)
         return g
 
     def compose(self, g: Array, g_e: Array) -> Array:

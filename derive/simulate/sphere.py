@@ -77,18 +77,21 @@ def _path(g: Array, axis: int) -> Array:
 
 def _eye(path: Array, others: Sequence[Array]) -> Array:
     """Rows: right, up and towards the eye, (3, 3), which sees the path and most of the others."""
-    towards = _unit(path.sum(axis=0))
+    towards = _unit(path.sum(axis=0), path[0])
     turns = np.cross(path[0], path[len(path) // 2])
-    up = _unit(turns - turns.dot(towards) * towards)
+    aside = np.cross(towards, np.eye(3)[np.abs(towards).argmin()])
+    up = _unit(turns - turns.dot(towards) * towards, aside)
     every = np.concatenate(others)
     both = [np.cos(RISEN) * towards + side * np.sin(RISEN) * up for side in (1, -1)]
     seen = max(both, key=lambda eye: float(np.count_nonzero(every @ eye > 0)))
-    right = _unit(np.cross(up, seen))
+    right = _unit(np.cross(up, seen), aside)
     return np.stack([right, np.cross(seen, right), seen])
 
 
-def _unit(x: Array) -> Array:
-    return np.asarray(x / np.linalg.norm(x))
+def _unit(x: Array, otherwise: Array) -> Array:
+    """x, or the other vector where x is none, as of an axis at rest, made a unit."""
+    given = x if np.linalg.norm(x) > 1e-9 else otherwise
+    return np.asarray(given / np.linalg.norm(given))
 
 
 def _sphere(axes: Axes, eye: Array) -> None:

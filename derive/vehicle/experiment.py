@@ -11,7 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from derive.vehicle.key import HOMES, REFERENCE_KEYS, SIMULATE_KEYS
-from derive.vehicle.number import LARGEST_ENTRY, column, number
+from derive.vehicle.number import LARGEST_ENTRY, MODERATE, is_moderate, number
 from derive.vehicle.text import Table, described, shown
 
 KINDS = {"rest": ("g_r",), "rate": ("g_r", "nu_r"), "slew": ("g_r", "along", "seconds"),
@@ -81,6 +81,11 @@ def experiment(top: Table, n: int) -> Experiment:
     columns = {key: _column(table, key, n) for key in COLUMNS if key in table.values}
     scalars = {key: _scalar(table, key, *bounds)
                for key, bounds in SCALARS.items() if key in table.values}  # fmt: skip
+    for key in ("momentum", "external"):
+        if key in columns and not top.table("options").values.get(key):
+            expected, found = f"a vehicle with {key} = true below [options]", "one without"
+            remedy = f"write that, so that the controller is told of it, or leave {key} out"
+            raise table.fault(key, expected, found, remedy)
     limits = columns.get("force_limit", ())
     if any(one <= 0 for one in limits):
         remedy = "write what the actuators give, in either direction"
@@ -135,11 +140,18 @@ def _refuse_others(table: Table, kind: str) -> None:
 
 def _column(table: Table, key: str, n: int) -> Numbers:
     """n numbers, or one that stands for all of them."""
-    given = number(table.values.get(key))
-    if given is not None:
-        return column(Table(table.file, table.name, {key: [table.values[key]] * n}), key, n,
-                      LARGEST_ENTRY, "SI units")  # fmt: skip
-    return column(table, key, n, LARGEST_ENTRY, "SI units")
+    given = table.values[key]
+    rows = given if isinstance(given, list) else [given] * n
+    expected = f"{n} numbers, or one for all, each of {MODERATE}"
+    remedy = f"write {key} = {[0.0] * n}, or other numbers in SI units"
+    if len(rows) != n:
+        raise table.fault(key, expected, described(given), remedy)
+    values = [number(one) for one in rows]
+    for place, value in enumerate(values, start=1):
+        if value is None or not is_moderate(value):
+            where = f"{key}, entry {place}" if rows is given else key
+            raise table.fault(where, expected, described(rows[place - 1]), remedy)
+    return tuple(value for value in values if value is not None)
 
 
 def _scalar(table: Table, key: str, least: Fraction, most: Fraction, unit: str) -> Fraction:
