@@ -61,7 +61,7 @@ class Flown:
     def found(self) -> dict[str, float | None]:
         """Its figures by name."""
         turns = space_of(self.craft).turns
-        return tell.figures(self.flight, crossings(self.flight.nu_u[:, turns]))
+        return tell.figures(self.flight, crossings(self.flight, turns, self.setting.period))
 
     def table(self) -> str:
         """Figures and invariants as text."""

@@ -51,7 +51,9 @@ OWN = {
     "derive.verify": (
         *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
     ),
-    "derive.simulate": ("derive.lie", "derive.control", "derive.emit", "derive.native"),
+    "derive.simulate": (
+        *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
+    ),
     "derive.pipeline": (
         *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
         *("derive.verify", "derive.explain", "derive.simulate", "derive.vehicle"),

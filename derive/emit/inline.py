@@ -25,6 +25,46 @@ def functions(derivations: Sequence[Derivation]) -> str:
     return "\n".join([*lines, ""])
 
 
+def symbol(d: Derivation) -> str:
+    """The function over columns of a derivation."""
+    return f"{d.name}_columns"
+
+
+def prototypes(derivations: Sequence[Derivation]) -> str:
+    """Declarations of the functions over columns."""
+    return " ".join(f"{_prototype(d)};" for d in derivations)
+
+
+def over_columns(derivations: Sequence[Derivation]) -> str:
+    """C source: one function for each over columns, `x_step` 1, or 0 where all rows share x."""
+    return "\n".join(
+        [functions(derivations), *(line for d in derivations for line in _over(d)), ""]
+    )
+
+
+def _prototype(d: Derivation) -> str:
+    takes = [f"const double *{one.name}, long {one.name}_step" for one in d.inputs]
+    gives = [f"double *{quantity.name}_out" for quantity, _ in d.outputs]
+    return f"void {symbol(d)}(long rows, {', '.join([*takes, *gives])})"
+
+
+def _over(d: Derivation) -> Iterator[str]:
+    """A loop over the rows, of each of which the columns are gathered and scattered."""
+    given = [quantity for quantity, _ in d.outputs]
+    yield from (_prototype(d), "{", "    for (long i = 0; i < rows; ++i) {")
+    for one in d.inputs:
+        wide = f"({one.name}_step ? rows : 1)"
+        entries = (f"{one.name}[{j} * {wide} + i * {one.name}_step]" for j in range(one.size))
+        yield f"        const double {one.name}_row[{one.size}] = {{{', '.join(entries)}}};"
+    yield from (f"        double {one.name}_new[{one.size}];" for one in given)
+    arguments = [f"{one.name}_row" for one in d.inputs] + [f"{one.name}_new" for one in given]
+    yield f"        {d.name}({', '.join(arguments)});"
+    for one in given:
+        yield from (f"        {one.name}_out[{j} * rows + i] = {one.name}_new[{j}];"
+                    for j in range(one.size))  # fmt: skip
+    yield from ("    }", "}")
+
+
 def _kernel(kernel: Printed) -> list[str]:
     """Horner's scheme in 1 - w, highest power first."""
     (sign, first), *rest = kernel["terms"]

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from derive.native.compile import CompileError, CompilerMissing
 from derive.simulate.craft import Craft
 from derive.simulate.draw import Spread, choice, drawn, initial_angles, seed_of
-from derive.simulate.held import Held
 from derive.simulate.loop import Loop
 from derive.simulate.outcome import Watch
 from derive.simulate.reference import Course, Reference
@@ -85,9 +84,7 @@ def _flown(plan: Plan, setting: Setting, seeds: Sequence[int]) -> Rows:
 
 def _loop(plan: Plan, reference: Reference, setting: Setting, runs: Runs) -> Loop:
     try:
-        is_fast = plan.backend != "numpy" and setting.rate is not None
-        held = Held(plan.craft, runs) if is_fast else None
-        return Loop(plan.craft, plan.backend, reference, setting, runs, held)
+        return Loop(plan.craft, plan.backend, reference, setting, runs)
     except (CompilerMissing, CompileError) as fault:
         raise CannotFly(str(fault)) from None
 

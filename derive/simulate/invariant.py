@@ -9,10 +9,10 @@ import numpy as np
 
 from derive.simulate.flight import Flight
 from derive.simulate.loop import Loop
+from derive.simulate.outcome import crosses
 from derive.simulate.space import Array
 
 SHOWN = 8.0  # k_s t up to which W is judged: after that it is at the floor of the integration
-CUT_STEP = 1.0  # of nu_u between two instants: no smooth motion moves it that far
 
 
 @dataclass(frozen=True)
@@ -68,24 +68,22 @@ def _why_no_decay(loop: Loop, flight: Flight) -> str:
         (np.any(flight.force != flight.asked), "the actuators saturate"),
         (np.any(flight.status >= 16), "the controller refused a state"),
         (np.any(runs.inertia != np.array(loop.craft.inertia)[:, None]), "the inertia is in error"),
-        (_crosses(loop, flight), "the error crosses the cut locus"),
+        (
+            crossings(flight, loop.space.turns, setting.period) > 0,
+            "the error crosses the cut locus",
+        ),
         (not np.any(flight.s[0]), "s starts at zero"),
     )
     return next((why for applies, why in reasons if applies), "")
 
 
-def _crosses(loop: Loop, flight: Flight) -> bool:
-    """Whether the law jumps, and not only because instants are too far apart to follow it."""
-    turns = loop.space.turns
-    moved = np.abs(flight.nu_e[:, turns]).max(initial=0.0) * loop.setting.period
-    return crossings(flight.nu_u[:, turns]) > 0 and bool(moved < CUT_STEP)
-
-
-def crossings(nu_u: Array) -> int:
-    """How often the law jumps between two instants, from its values (T, …) there."""
-    if not nu_u.shape[1]:
+def crossings(flight: Flight, turns: Sequence[int], period: float) -> int:
+    """How often the error crosses the cut locus, as a sweep counts it."""
+    nu_u, rate = flight.nu_u.T[list(turns)], flight.rate_error()
+    if not len(nu_u):
         return 0
-    return int((np.abs(np.diff(nu_u, axis=0)).max(1) > CUT_STEP).sum())
+    faster = np.maximum(rate[:-1], rate[1:])
+    return int(crosses(nu_u[:, :-1], nu_u[:, 1:], faster, period).sum())
 
 
 def _membership(loop: Loop, flight: Flight) -> Invariant:

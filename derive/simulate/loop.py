@@ -51,19 +51,14 @@ class Loop:
     """A craft, one backend of its controller, a reference, a setting and the runs in it."""
 
     def __init__(
-        self,
-        craft: Craft,
-        backend: str,
-        reference: Reference,
-        setting: Setting,
-        runs: Runs,
-        held: Held | None = None,
+        self, craft: Craft, backend: str, reference: Reference, setting: Setting, runs: Runs
     ) -> None:
-        """held: does the steps of a sampled loop, with the same result in less time."""
-        self.space, self.craft = space_of(craft), craft
+        """Raises CompilerMissing, CompileError where the backend is C and cannot be built."""
+        self.space, self.craft = space_of(craft, backend != "numpy"), craft
         self.pilot = pilot(craft, backend, len(runs))
         self.reference, self.setting, self.runs = reference, setting, runs
-        self._held = held
+        # Where C can be compiled, a held force is integrated by it: the same bits, sooner.
+        self._held = Held(craft, runs) if setting.rate and backend != "numpy" else None
         self._noise = Noise(runs.seeds, self.space.dim) if setting.is_noisy else None
         bound = setting.force_limit
         self._bound = None if bound is None else np.array(bound)[:, None]
@@ -86,12 +81,16 @@ class Loop:
         free = np.zeros_like(body.nu)
         still = replace(self.runs, disturbance=free, sine=free, cosine=free, external=free)
         method = KUTTA if self.setting.rate else BUTCHER
+        held = Held(self.craft, still) if self._held else None
         yield body
         for instant in range(self.setting.periods):
             for part in range(parts):
                 h = period / parts
                 t = instant * period + part * h
-                body = self._moved(method, t, h, body, lambda _, __: free, still)
+                if held:
+                    body = self._pushed(held, t, h, body, free)
+                else:
+                    body = self._moved(method, t, h, body, lambda _, __: free, still)
             yield body
 
     def command(self, t: float, body: Body, instant: int | None = None) -> Command:

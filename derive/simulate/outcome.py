@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from derive.simulate.loop import Moment
 from derive.simulate.space import Array, Space
@@ -30,7 +31,7 @@ class Watch:
 
     def __init__(self, space: Space, settle: float, period: float, loops: int) -> None:
         self._space, self._settle, self._period = space, settle, period
-        self._turns = [i for i, unit in enumerate(space.group.units) if unit.startswith("rad")]
+        self._turns = space.turns
         self._seen, self._last = 0, np.full(loops, -1)
         self._peak = np.zeros(loops)
         self._worst = np.zeros(loops, dtype=np.int64)
@@ -73,12 +74,15 @@ class Watch:
         return dict(zip(OUTCOMES, found, strict=True))
 
     def _count(self, nu_u: Array, rate: Array) -> None:
-        """A jump of nu_u that no motion within a period explains is a crossing of the cut."""
         if self._before is not None:
-            before, faster = self._before[0], np.maximum(self._before[1], rate)
-            jump = norm(nu_u - before)
-            self._crossings += jump > JUMP + STEEPEST * self._period * faster
+            before, rate_before = self._before
+            self._crossings += crosses(before, nu_u, np.maximum(rate_before, rate), self._period)
         self._before = nu_u, rate
+
+
+def crosses(before: Array, after: Array, rate: Array, period: float) -> NDArray[np.bool_]:
+    """Where nu_u (turns, N) jumps within a period as no motion at |nu_e| = rate (N,) moves it."""
+    return np.asarray(norm(after - before) > JUMP + STEEPEST * period * rate)
 
 
 def norm(x: Array) -> Array:

@@ -8,7 +8,9 @@ result for one loop does not depend on how many others stand beside it.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import cache, cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +19,8 @@ from numpy.typing import NDArray
 from derive.control import mechanics, motion
 from derive.emit.function import Function, compiled
 from derive.lie.group import Group
-from derive.simulate.craft import Craft, group_of
+from derive.simulate.columns import Columns, in_c
+from derive.simulate.craft import Craft, folder_of, group_of
 
 Array = NDArray[np.float64]
 
@@ -25,13 +28,26 @@ Array = NDArray[np.float64]
 class Space:
     """What the loop needs of a group and of the plant on it."""
 
-    def __init__(self, group: Group, pattern: tuple[bool, ...], options: tuple[str, ...]) -> None:
+    def __init__(
+        self,
+        group: Group,
+        pattern: tuple[bool, ...],
+        options: tuple[str, ...],
+        native: tuple[Path, str] | None = None,
+    ) -> None:
+        """native: folder and name of what is built in C; None for numpy, with the same bits."""
         self.group, self.options = group, options
         self.dim, self.size = group.dim, group.size
-        self._advance = compiled(motion.advance(group))
-        self._chart_rate = compiled(motion.chart_rate(group))
-        self._deviation = compiled(motion.deviation(group))
-        self._plant = compiled(mechanics.plant(group, pattern, options))
+        derivations = [
+            motion.advance(group),
+            motion.chart_rate(group),
+            motion.deviation(group),
+            mechanics.plant(group, pattern, options),
+        ]
+        made: Sequence[Function | Columns] = (
+            in_c(derivations, *native) if native else [compiled(d) for d in derivations]
+        )
+        self._advance, self._chart_rate, self._deviation, self._plant = made
         residual = mechanics.residual(group)
         self._residual: Function | None = compiled(residual) if residual.outputs else None
 
@@ -46,9 +62,8 @@ class Space:
 
     @property
     def turns(self) -> list[int]:
-        """The coordinates that are angular rates; all where the group has no units."""
-        found = [i for i, unit in enumerate(self.group.units) if unit.startswith("rad")]
-        return found if set(self.group.units) & {"rad/s", "m/s"} else list(range(self.dim))
+        """The coordinates that are angles, in which a law can jump; of a user's group as told."""
+        return [i for i, unit in enumerate(self.group.units) if unit.startswith("rad")]
 
     def advance(self, g: Array, x: Array) -> Array:
         """g exp(hat(x)), (k, N), for displacements x (n, N) that turn by at most 1 rad."""
@@ -83,13 +98,16 @@ class Space:
             return np.zeros(g.shape[1])
         return np.asarray(np.abs(self._first(self._residual, g=g)).max(0))
 
-    def _first(self, function: Function, **given: Any) -> Array:
+    def _first(self, function: Function | Columns, **given: Any) -> Array:
         wanted = {one.name for one in function.inputs}
         found: Array = function.columns(**{n: v for n, v in given.items() if n in wanted})[0]
         return found
 
 
 @cache
-def space_of(craft: Craft) -> Space:
-    """The space of a craft, derived once per process."""
-    return Space(group_of(craft), craft.pattern, craft.options)
+def space_of(craft: Craft, is_native: bool = False) -> Space:
+    """The space of a craft, derived once per process; is_native: in C, where CompilerMissing and
+    CompileError may be raised.
+    """
+    native = (folder_of(craft) / "build", f"{craft.name}_space") if is_native else None
+    return Space(group_of(craft), craft.pattern, craft.options, native)

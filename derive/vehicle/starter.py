@@ -41,6 +41,17 @@ controller = "{controller}"  # one of: {controllers}
 [emit]
 scalars = {scalars}  # float, double
 targets = {targets}
+
+# What `derive simulate {name}.toml` flies, where it is not from half a unit of error to rest.
+# One number stands for all coordinates; an array has one for each.
+# [reference]
+# kind = "slew"  # or "rate" with nu_r, a constant body velocity; or "file" with a CSV
+# along = 0.5  # to exp(hat(along)), from rest to rest
+# seconds = 30.0
+# [simulate]
+# rate = 100.0  # Hz, the force held between; continuous when left out
+# turn = 0.3  # first error, g = g_r exp(hat(turn))
+# disturbance = 0.001  # constant force that the controller is not told
 """
 
 

@@ -61,6 +61,7 @@ def test_rotations_of_the_plane_are_uniform(group: str, place: tuple[int, int]) 
     g = of(group).g
     angle = np.arctan2(g[place[1]], g[place[0]])
     assert stats.kstest(angle, stats.uniform(-math.pi, 2 * math.pi).cdf).pvalue > LEAST
+    assert np.max(np.abs(angle)) > math.pi - 0.01
 
 
 @pytest.mark.parametrize(("group", "places"), [("SE2", (2, 5)), ("SE3", (3, 7, 11)),
@@ -130,6 +131,10 @@ def test_the_plants_inertia_stays_positive_definite_and_keeps_its_zeros() -> Non
     full = np.zeros((300, 6, 6))
     full[:, rows, columns] = full[:, columns, rows] = upper.T
     assert np.linalg.eigvalsh(full).min() > 0
+    roots = np.sqrt(np.diagonal(full, axis1=1, axis2=2))
+    alike = full / roots[:, :, None] / roots[:, None, :]  # as for correlations: D cancels
+    assert np.ptp(alike, axis=0).max() < 1e-14
+    assert np.abs(np.triu(alike[0], 1)).max() > 0.01
     kept = np.diagonal(full, axis1=1, axis2=2) / whole[[0, 6, 11, 15, 18, 20]]
     assert 0.05 < kept.min() < 0.1
     assert 1.9 < kept.max() < 1.95

@@ -25,9 +25,9 @@ def flights(made: Plan, is_fast: bool) -> list[Flight]:
     runs = drawn(
         made.craft, reference, replace(made.spread, wave=(0.1,) * space_of(made.craft).dim), seeds
     )
-    held = Held(made.craft, runs) if is_fast else None
     setting = replace(made.settings[0], hertz=0.7)
-    return recorded(Loop(made.craft, "numpy", reference, setting, runs, held).moments())
+    backend = "f64" if is_fast else "numpy"
+    return recorded(Loop(made.craft, backend, reference, setting, runs).moments())
 
 
 @pytest.mark.parametrize("group", ["SO3", "S3", "SE2", "SE3", "SL2", "SE3 x SO3", "R3"])

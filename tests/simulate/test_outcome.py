@@ -36,8 +36,9 @@ def flown(made: Plan) -> list[Flight]:
 @pytest.mark.parametrize(
     ("group", "given"),
     [
-        ("SO3", {"seconds": 12.0}),
+        ("SO3", {"seconds": 9.5}),
         ("SO3", {"seconds": 7.0, "backend": "f64", "settle": 0.05}),
+        ("SO3", {"seconds": 2.0, "force_limit": (2.0,)}),
         ("SO3", {"seconds": 3.0, "noise_g": 0.01, "noise_nu": 0.02}),
         ("S3", {"seconds": 4.0, "speed": 3.0}),
         ("SE2", {"seconds": 6.0}),
