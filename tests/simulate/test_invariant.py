@@ -234,7 +234,7 @@ def test_the_decay_is_not_judged_across_the_cut() -> None:
     met = replace(runs(craft("SO3"), met=False), g=g, nu=np.array([[4.0], [0.0], [0.0]]))
     assert why(met=met) == "the error crosses the cut locus"
     loop, found = flown(craft("SO3"), met, seconds=0.3)
-    assert crossings(found.nu_u[:, loop.space.turns]) == 1
+    assert crossings(found, loop.space.turns, loop.setting.period) == 1
 
 
 def test_the_decay_is_not_judged_from_nothing() -> None:
