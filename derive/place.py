@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from derive import folder
@@ -25,10 +25,16 @@ def probe(path: Path, option: str) -> None:
 
 
 def probe_folder(place: Path, option: str = "--out") -> None:
-    """Make a folder and raise InputError where nothing can be written into it."""
+    """Raise InputError where a folder cannot be made or written into; leaves all as it is."""
+    missing = [one for one in (place, *place.parents) if not one.exists()]
     with told(place, "a folder that can be written to", option):
-        place.mkdir(parents=True, exist_ok=True)
-        folder.probe(place / "probe")
+        try:
+            place.mkdir(parents=True, exist_ok=True)
+            folder.probe(place / "probe")
+        finally:
+            for one in missing:
+                with suppress(OSError):
+                    one.rmdir()
 
 
 def strangers(place: Path) -> list[str]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import math
+import stat
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -62,7 +63,11 @@ def _cells(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
     """The names in the first line, and the cells of every other that is not empty."""
     expected = "a CSV file: UTF-8, columns named in its first line"
     try:
-        if path.stat().st_size > 256 * LARGEST_FILE:
+        told = path.stat()
+        if not stat.S_ISREG(told.st_mode):  # a pipe could block, a device have no end
+            found = "a directory" if stat.S_ISDIR(told.st_mode) else "not a regular file"
+            raise InputError(str(path), "", expected, found, "name one file")
+        if told.st_size > 256 * LARGEST_FILE:
             remedy = "give fewer rows: between them the velocity is a cubic"
             raise InputError(str(path), "", expected, "more than 256 MiB", remedy)
         with path.open(encoding="utf-8-sig", newline="") as file:
