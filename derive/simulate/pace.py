@@ -11,7 +11,7 @@ from derive.simulate.pilot import pilot
 from derive.simulate.reference import Reference
 from derive.simulate.space import Array, space_of
 
-SLOW, SAMPLED = 0.05, 0.01  # s, the longest step of a continuous and of a sampled loop
+SLOW, SAMPLED = 0.025, 0.01  # s, the longest step of a continuous and of a sampled loop
 PART = 0.1  # of the fastest time constant: a step of order 6 then errs by 1e-11
 PHASE = (0.02, 0.1)  # rad in a step of order 4 and of order 6: both then err by about 1e-10
 LOOKS = 200  # at a reference, over the duration
