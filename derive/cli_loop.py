@@ -99,6 +99,10 @@ backend_option = click.option(
     "--backend", default="f64", show_default=True, metavar="f64|f32|numpy",
     help="Which emitted controller flies: C in double or single precision, or numpy.",
 )  # fmt: skip
+settle_option = click.option(
+    "--settle", default=1e-3, show_default=True, type=Number(0.0, 1e6, is_open=True),
+    help="Bound on the height and on |nu_e| below which a run is settled.",
+)  # fmt: skip
 
 
 def start_options(command: Command) -> Command:
@@ -120,7 +124,7 @@ rate_option = click.option(
 )  # fmt: skip
 
 _OF_THE_FILE = (
-    click.option("--duration", "seconds", type=Number(1e-3, 1e6, "s"), help="Seconds to fly."),
+    click.option("--duration", type=Number(1e-3, 1e6, "s"), help="Seconds to fly."),
     click.option("--step", type=Number(1e-6, 1.0, "s"), help="Longest step of the integration."),
     click.option(
         "--inertia-error", type=Number(-0.9, 10.0),

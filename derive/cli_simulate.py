@@ -13,6 +13,7 @@ from derive.cli_loop import (
     backend_option,
     experiment_options,
     rate_option,
+    settle_option,
     start_options,
 )
 from derive.terminal import FINDING, AnyPath, cache, cache_option, loaded, progress
@@ -32,6 +33,7 @@ SCENARIOS = {"1": (1,), "2": (2,), "3": (3,), "all": (1, 2, 3)}
 @start_options
 @rate_option
 @experiment_options
+@settle_option
 @click.option(
     "--out", type=AnyPath, metavar="DIR",
     help="Folder for pictures and numbers; simulated/NAME if left out.",
@@ -44,6 +46,7 @@ def simulate(
     seed: int | None,
     box: float,
     speed: float,
+    settle: float,
     out: Path | None,
     no_cache: bool,
     **said: Any,
@@ -65,7 +68,7 @@ def simulate(
             is_good, table = compared.ok, compared.table()
             files = comparison.documents(compared, show)
         else:
-            asked = simulation.Asked(backend, seed, box, speed, given)
+            asked = simulation.Asked(backend, seed, box, speed, settle, given)
             flown = simulation.simulate(vehicle, cache(no_cache), asked, show)
             is_good, table = flown.ok, flown.table()
             files = simulation.documents(flown)

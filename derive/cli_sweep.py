@@ -15,13 +15,14 @@ from derive.cli_loop import (
     Number,
     backend_option,
     experiment_options,
+    settle_option,
     start_options,
 )
 from derive.terminal import AnyPath, cache, cache_option, loaded, progress
 
 MOST_RUNS, MOST_WORKERS = 10**6, 1024
-REPLAYED = ("backend", "box", "speed", "seconds", "step", "inertia_error", "disturbance", "wave",
-            "hertz", "noise_g", "noise_nu", "force_limit")  # fmt: skip
+REPLAYED = ("backend", "box", "speed", "settle", "duration", "step", "inertia_error",
+            "disturbance", "wave", "hertz", "noise_g", "noise_nu", "force_limit")  # fmt: skip
 """Options that `derive simulate` needs to fly a run again."""
 
 
@@ -41,10 +42,7 @@ REPLAYED = ("backend", "box", "speed", "seconds", "step", "inertia_error", "dist
     help="Of the controller; given several times, each run takes one of them.",
 )  # fmt: skip
 @experiment_options
-@click.option(
-    "--settle", default=1e-3, show_default=True, type=Number(0.0, 1e6, is_open=True),
-    help="Bound on the height and on |nu_e| below which a run is settled.",
-)  # fmt: skip
+@settle_option
 @click.option(
     "--workers", type=Count(1, MOST_WORKERS), help="Processes; one per core when left out."
 )
@@ -136,7 +134,7 @@ def _replays(file: Path, found: dict[str, Any], said: dict[str, Any]) -> list[st
 
 
 def _option(key: str) -> str:
-    return "--" + {"seconds": "duration"}.get(key, key).replace("_", "-")
+    return "--" + key.replace("_", "-")
 
 
 def _word(value: Any) -> str:

@@ -30,7 +30,7 @@ def course(vehicle: Vehicle, craft: Craft) -> Course:
     if written.kind == "rate":
         return Course("steady", start, (_floats(written.nu_r),))
     if written.kind == "slew":
-        return Course("slew", start, (_floats(written.along), (float(written.seconds),)))
+        return Course("slew", start, (_floats(written.along), (float(written.duration),)))
     return Course("rest", start, ((0.0,) * space.dim,))
 
 

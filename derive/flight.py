@@ -56,7 +56,7 @@ def overridden(vehicle: Vehicle, given: Mapping[str, Any]) -> Vehicle:
 
 def option(key: str) -> str:
     """The option that says what a key of Experiment says."""
-    return "--" + {"seconds": "duration"}.get(key, key).replace("_", "-")
+    return "--" + key.replace("_", "-")
 
 
 def spread_of(vehicle: Vehicle, box: float, speed: float) -> Spread:
@@ -81,16 +81,16 @@ def setting_of(vehicle: Vehicle, made: Craft, reference: Reference) -> Setting:
         expected, remedy = "a rate in Hz: noise is of samples", "give a rate, or no noise"
         found = "a continuous controller"
         raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
-    if rate is not None and rate * float(asked.seconds) < 1:
+    if rate is not None and rate * float(asked.duration) < 1:
         expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
-        found = f"{rate:g} Hz over {float(asked.seconds):g} s"
+        found = f"{rate:g} Hz over {float(asked.duration):g} s"
         raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
     if any(asked.wave) and not asked.hertz:
         expected, found = "above 0 where there is a wave", "0 Hz: no force at all"
         remedy = "give its frequency; a constant force is a disturbance"
         raise InputError(vehicle.source, "simulate.hertz", expected, found, remedy)
     setting = Setting(
-        seconds=float(asked.seconds),
+        seconds=float(asked.duration),
         rate=rate,
         longest=_step(vehicle, made, reference, rate),
         hertz=float(asked.hertz),
@@ -114,7 +114,7 @@ def _step(vehicle: Vehicle, made: Craft, reference: Reference, rate: float | Non
         return float(asked.step)
     hertz = float(asked.hertz) if any(asked.wave) else 0.0
     nu = _column(asked.nu, space_of(made).dim, SPEED)
-    return longest(made, rate, swiftness(made, reference, nu, hertz, float(asked.seconds)))
+    return longest(made, rate, swiftness(made, reference, nu, hertz, float(asked.duration)))
 
 
 def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:

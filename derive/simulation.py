@@ -30,14 +30,16 @@ from derive.vehicle import Vehicle
 class Asked:
     """What a command line says of a run.
 
-    seed:  draw the run as a sweep does; None for the one that the vehicle file states
-    given: keys of Experiment that replace those of the vehicle file
+    seed:   draw the run as a sweep does; None for the one that the vehicle file states
+    settle: bound on the height and on |nu_e| below which the run is settled
+    given:  keys of Experiment that replace those of the vehicle file
     """
 
     backend: str = "f64"
     seed: int | None = None
     box: float = 1.0
     speed: float = 0.5
+    settle: float = 1e-3
     given: Mapping[str, Any] = field(default_factory=dict)
 
 
@@ -61,7 +63,8 @@ class Flown:
     def found(self) -> dict[str, float | None]:
         """Its figures by name."""
         turns = space_of(self.craft).turns
-        return tell.figures(self.flight, crossings(self.flight, turns, self.setting.period))
+        crossed = crossings(self.flight, turns, self.setting.period)
+        return tell.figures(self.flight, crossed, self.asked.settle)
 
     def table(self) -> str:
         """Figures and invariants as text."""

@@ -109,7 +109,7 @@ def test_a_disturbance_by_coordinate_moves_it(flown: Command) -> None:
 def test_the_file_says_what_options_say(flown: Command) -> None:
     by_option = flown(*SHORT, "--disturbance", "0.01,0,0", "--force-limit", "0.002")
     flown.add(
-        "[simulate]\nseconds = 0.5\nrate = 20\ndisturbance = [0.01, 0, 0]\nforce_limit = 0.002\n"
+        "[simulate]\nduration = 0.5\nrate = 20\ndisturbance = [0.01, 0, 0]\nforce_limit = 0.002\n"
     )
     assert flown().out == by_option.out
     # And an option goes before the file.

@@ -102,7 +102,7 @@ def test_left_out_it_starts_at_the_identity(name: str) -> None:
 
 
 def test_a_slew_is_as_long_as_written() -> None:
-    said = Course("slew", along=exact(RATE), seconds=Fraction(3))
+    said = Course("slew", along=exact(RATE), duration=Fraction(3))
     motion = followed("SO3", said)
     assert motion.at(2.9)[0].any()
     assert not motion.at(3.0)[0].any()

@@ -22,9 +22,14 @@ KEPT = ("t", "g", "nu", "g_r", "nu_r", "height", "nu_e", "s", "force", "energy",
 REFUSED = 16  # the first status whose command is zero
 
 
-def figures(flight: Flight, crossings: int) -> dict[str, float | None]:
-    """What a run comes to, by name; None where it does not settle."""
-    settled = {f"settled to {one:g}": flight.settled(flight.height, one) for one in THRESHOLDS}
+def figures(flight: Flight, crossings: int, settle: float) -> dict[str, float | None]:
+    """What a run comes to, by name; None where it does not settle.
+
+    settle: what both the height and |nu_e| have to stay at or below, as in a sweep
+    """
+    both = np.maximum(flight.height, flight.rate_error())
+    settled = {f"settled, both to {settle:g}": flight.settled(both, settle)}
+    settled |= {f"settled to {one:g}": flight.settled(flight.height, one) for one in THRESHOLDS}
     return {
         "first height": float(flight.height[0]),
         "last height": float(flight.height[-1]),

@@ -14,7 +14,7 @@ from derive.vehicle.key import HOMES, REFERENCE_KEYS, SIMULATE_KEYS
 from derive.vehicle.number import LARGEST_ENTRY, MODERATE, is_moderate, number
 from derive.vehicle.text import Table, described, shown
 
-KINDS = {"rest": ("g_r",), "rate": ("g_r", "nu_r"), "slew": ("g_r", "along", "seconds"),
+KINDS = {"rest": ("g_r",), "rate": ("g_r", "nu_r"), "slew": ("g_r", "along", "duration"),
          "file": ("file",)}  # fmt: skip
 """Kind of reference -> the keys that belong to it, the needed ones last."""
 
@@ -30,7 +30,7 @@ class Course:
     g_r:     stored numbers where it starts; empty for the identity
     nu_r:    rate: constant body velocity (n,)
     along:   slew: it ends at g_r exp(hat(along)), (n,)
-    seconds: slew: how long that takes
+    duration: slew: how long that takes
     file:    file: a CSV beside the vehicle file
     """
 
@@ -38,7 +38,7 @@ class Course:
     g_r: Numbers = ()
     nu_r: Numbers = ()
     along: Numbers = ()
-    seconds: Fraction = Fraction(0)
+    duration: Fraction = Fraction(0)
     file: Path | None = None
 
 
@@ -46,7 +46,7 @@ class Course:
 class Experiment:
     """A closed loop as written; (n,) in the coordinates of the algebra, SI units.
 
-    seconds, rate:       duration; of the controller in Hz, None for a continuous one
+    duration, rate:      s; of the controller in Hz, None for a continuous one
     step:                longest step of the integration; None for one that fits the loop
     turn, nu:            first error, g(0) = g_r(0) exp(hat(turn)), and first body velocity
     momentum, external:  internal momentum of wheels at the start; known force
@@ -58,7 +58,7 @@ class Experiment:
     """
 
     course: Course = Course()
-    seconds: Fraction = Fraction(30)
+    duration: Fraction = Fraction(30)
     rate: Fraction | None = None
     step: Fraction | None = None
     turn: Numbers = ()
@@ -96,7 +96,7 @@ def experiment(top: Table, n: int) -> Experiment:
 COLUMNS = ("turn", "nu", "momentum", "external", "disturbance", "wave", "force_limit")
 
 SCALARS = {
-    "seconds": (Fraction(1, 1000), LONGEST, "s"),
+    "duration": (Fraction(1, 1000), LONGEST, "s"),
     "rate": (Fraction(1, 1000), FASTEST, "Hz"),
     "step": (Fraction(1, 10**6), Fraction(1), "s"),
     "hertz": (Fraction(0), FASTEST, "Hz"),
@@ -123,7 +123,7 @@ def _course(top: Table, n: int) -> Course:
         g_r=_list(table, "g_r"),
         nu_r=_column(table, "nu_r", n) if "nu_r" in wanted else (),
         along=_column(table, "along", n) if "along" in wanted else (),
-        seconds=_scalar(table, "seconds", *SCALARS["seconds"]) if "seconds" in wanted
+        duration=_scalar(table, "duration", *SCALARS["duration"]) if "duration" in wanted
         else Fraction(0),
     )  # fmt: skip
 

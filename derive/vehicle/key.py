@@ -9,9 +9,9 @@ TOP_KEYS = (
 GROUP_KEYS = ("name", "basis", "units", "law")
 BODY_KEYS = ("mass", "center", "moments", "added_mass")
 OPTION_KEYS = ("momentum", "external", "added_mass")
-REFERENCE_KEYS = ("kind", "g_r", "nu_r", "along", "seconds", "file")
+REFERENCE_KEYS = ("kind", "g_r", "nu_r", "along", "duration", "file")
 SIMULATE_KEYS = (
-    *("seconds", "rate", "step", "turn", "nu", "momentum", "external", "disturbance", "wave"),
+    *("duration", "rate", "step", "turn", "nu", "momentum", "external", "disturbance", "wave"),
     *("hertz", "noise_g", "noise_nu", "force_limit", "inertia_error"),
 )
 EMIT_KEYS = ("scalars", "targets")
@@ -26,7 +26,7 @@ HOMES = {
     **dict.fromkeys(EMIT_KEYS, "below [emit]"),
     **dict.fromkeys(SIMULATE_KEYS, "below [simulate]"),
     **dict.fromkeys(REFERENCE_KEYS, "below [reference]"),
-    "seconds": "below [simulate], or below [reference] for a slew",
+    "duration": "below [simulate], or below [reference] for a slew",
     "momentum": "below [options] as true, or below [simulate] as numbers",
     "external": "below [options] as true, or below [simulate] as numbers",
     **dict.fromkeys(TOP_KEYS, "to the top of the file, above the first [table]"),

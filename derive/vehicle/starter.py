@@ -47,7 +47,7 @@ targets = {targets}
 # [reference]
 # kind = "slew"  # or "rate" with nu_r, a constant body velocity; or "file" with a CSV
 # along = 0.5  # to exp(hat(along)), from rest to rest
-# seconds = 30.0
+# duration = 30.0
 # [simulate]
 # rate = 100.0  # Hz, the force held between; continuous when left out
 # turn = 0.3  # first error, g = g_r exp(hat(turn))

@@ -38,7 +38,7 @@ def test_left_out_it_is_half_a_minute_to_rest(tmp_path: Path) -> None:
     assert said(tmp_path, "") == Experiment()
     assert said(tmp_path, "[reference]\n[simulate]\n") == Experiment()
     assert Experiment().course == Course("rest")
-    assert Experiment().seconds == 30
+    assert Experiment().duration == 30
     assert Experiment().rate is None
 
 
@@ -50,9 +50,9 @@ external = true
 kind = "slew"
 g_r = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
 along = [0.1, -0.2, 0.3]
-seconds = 2.5
+duration = 2.5
 [simulate]
-seconds = 12
+duration = 12
 rate = 100
 step = 0.001
 turn = [1, 0.5, -0.25]
@@ -73,8 +73,8 @@ def test_everything_is_read_exactly(tmp_path: Path) -> None:
     third = Fraction(3, 10)
     assert said(tmp_path, WHOLE) == Experiment(
         course=Course("slew", tuple(map(Fraction, (0, -1, 0, 1, 0, 0, 0, 0, 1))),
-                      along=(Fraction(1, 10), Fraction(-1, 5), third), seconds=Fraction(5, 2)),
-        seconds=Fraction(12),
+                      along=(Fraction(1, 10), Fraction(-1, 5), third), duration=Fraction(5, 2)),
+        duration=Fraction(12),
         rate=Fraction(100),
         step=Fraction(1, 1000),
         turn=(Fraction(1), Fraction(1, 2), Fraction(-1, 4)),
@@ -104,17 +104,17 @@ REFERENCE = [
     ("kind = 3", "kind", "rest, rate, slew, file", "3", "in quotes"),
     ('kind = "spin"', "kind", "rest, rate, slew, file", "'spin'", "slew"),
     ('kind = "rest"\nnu_r = [1, 2, 3]', "nu_r", "kind rest: g_r", "kind rate", "leave nu_r out"),
-    ('kind = "slew"\nnu_r = [1, 2, 3]', "nu_r", "g_r, along, seconds", "rate", 'kind = "rate"'),
+    ('kind = "slew"\nnu_r = [1, 2, 3]', "nu_r", "g_r, along, duration", "rate", 'kind = "rate"'),
     ('kind = "rate"\nalong = [1, 2, 3]', "along", "g_r, nu_r", "kind slew", "leave along out"),
-    ('kind = "rate"\nseconds = 3', "seconds", "g_r, nu_r", "kind slew", 'kind = "slew"'),
+    ('kind = "rate"\nduration = 3', "duration", "g_r, nu_r", "kind slew", 'kind = "slew"'),
     ('kind = "file"\ng_r = [1]', "g_r", "keys of kind file: file", "rest or rate", "leave g_r out"),
     ('file = "m.csv"', "file", "kind rest", "kind file", 'write kind = "file"'),
     ('kind = "file"', "file", "motion.csv", "missing", "write file"),
     ('kind = "file"\nfile = 3', "file", "CSV file", "3", "in quotes"),
     ('kind = "rate"', "nu_r", "kind rate", "missing", "write nu_r"),
-    ('kind = "slew"\nseconds = 3', "along", "kind slew", "missing", "write along"),
-    ('kind = "slew"\nalong = 1', "seconds", "kind slew", "missing", "write seconds"),
-    ('kind = "slew"\nalong = 1\nseconds = 0', "seconds", "from 0.001", "0", "in that range"),
+    ('kind = "slew"\nduration = 3', "along", "kind slew", "missing", "write along"),
+    ('kind = "slew"\nalong = 1', "duration", "kind slew", "missing", "write duration"),
+    ('kind = "slew"\nalong = 1\nduration = 0', "duration", "from 0.001", "0", "in that range"),
     ("nu_r = [1, 2]", "nu_r", "3 numbers, or one for all", "array of 2", "[0.0, 0.0, 0.0]"),
     ("nu_r = [1, nan, 2]", "nu_r, entry 2", "3 numbers", "nan", "SI units"),
     ("nu_r = [1, 2, inf]", "nu_r, entry 3", "3 numbers", "inf", "SI units"),
@@ -129,11 +129,11 @@ REFERENCE = [
 ]
 
 SIMULATE = [
-    ("seconds = 0", "seconds", "from 0.001 to 1000000 [s]", "0", "in that range"),
-    ("seconds = -3", "seconds", "from 0.001", "-3", "in that range"),
-    ("seconds = nan", "seconds", "from 0.001", "nan", "in that range"),
-    ("seconds = 1000001", "seconds", "to 1000000 [s]", "1000001", "in that range"),
-    ('seconds = "3"', "seconds", "a number", "string '3'", "in that range"),
+    ("duration = 0", "duration", "from 0.001 to 1000000 [s]", "0", "in that range"),
+    ("duration = -3", "duration", "from 0.001", "-3", "in that range"),
+    ("duration = nan", "duration", "from 0.001", "nan", "in that range"),
+    ("duration = 1000001", "duration", "to 1000000 [s]", "1000001", "in that range"),
+    ('duration = "3"', "duration", "a number", "string '3'", "in that range"),
     ("rate = 0", "rate", "from 0.001 to 1000000 [Hz]", "0", "in that range"),
     ("rate = inf", "rate", "from 0.001", "inf", "in that range"),
     ("rate = true", "rate", "a number", "boolean", "in that range"),
@@ -153,9 +153,9 @@ SIMULATE = [
     ("disturbance = [0, 0, inf]", "disturbance, entry 3", "3 numbers", "inf", "SI units"),
     ("momentum = [1, 2, 3]", "momentum", "momentum = true", "one without", "leave momentum out"),
     ("external = 1", "external", "external = true", "one without", "told of it"),
-    ("seed = 3", "seed", "seconds, rate, step", "unknown key", "nearest"),
-    ("g_r = [1]", "g_r", "seconds, rate", "unknown key", "below [reference]"),
-    ("lambda = 1", "lambda", "seconds, rate", "unknown key", "below [gains]"),
+    ("seed = 3", "seed", "duration, rate, step", "unknown key", "nearest"),
+    ("g_r = [1]", "g_r", "duration, rate", "unknown key", "below [reference]"),
+    ("lambda = 1", "lambda", "duration, rate", "unknown key", "below [gains]"),
 ]
 
 BAD = [("reference", *row) for row in REFERENCE] + [("simulate", *row) for row in SIMULATE]

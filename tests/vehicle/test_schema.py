@@ -51,8 +51,8 @@ def test_ranges_of_a_flight_are_those_of_the_reader() -> None:
         assert described[key]["$ref"] == "#/$defs/column"
     reference = KEYS["reference"]["properties"]
     assert tuple(reference["kind"]["enum"]) == tuple(vehicle_experiment.KINDS)
-    least, most, _ = vehicle_experiment.SCALARS["seconds"]
-    bounds = reference["seconds"]["minimum"], reference["seconds"]["maximum"]
+    least, most, _ = vehicle_experiment.SCALARS["duration"]
+    bounds = reference["duration"]["minimum"], reference["duration"]["maximum"]
     assert bounds == (float(least), float(most))
 
 
