@@ -14,6 +14,7 @@ from derive.simulate import claim_table, digest, scenario
 from derive.simulate.claim import Judged, judged
 from derive.simulate.craft import Craft
 from derive.simulate.flight import Flight
+from derive.simulate.invariant import Watched
 from derive.simulate.picture import PAPER, performance, sliding
 from derive.simulate.reading import until
 from derive.simulate.scenario import ENTRANTS, SCENARIOS, SECONDS, Entrant
@@ -26,25 +27,36 @@ Progress = Callable[[str], None]
 SCALARS = {"numpy": ("f64",), "f64": ("f64",), "f32": ("f32",)}
 """Backend -> what has to be emitted for it."""
 
-REFUSED = 16  # the first status of a command that is zero
 AXIS = 3  # e_1 starts where the reference has it: R_e(0) turns about it
 SHOWN = 15.0  # s, of sliding variables
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """All flights of a vehicle's comparison: number -> controller -> flight."""
+    """All flights of a vehicle's comparison, and what was watched: number -> controller -> it."""
 
     vehicle: str
     backend: str
     crafts: tuple[Craft, ...]
     flights: Mapping[int, Mapping[str, Flight]]
+    watched: Mapping[int, Mapping[str, Watched]]
+
+    @property
+    def broken(self) -> list[str]:
+        """Every invariant that broke, in words."""
+        return [
+            f"scenario {number}, {ENTRANTS[name].title}: {one.name} {one.verdict}, "
+            f"{one.measured:.2g}, at most {one.limit:g}"
+            for number, each in self.watched.items()
+            for name, all_of_it in each.items()
+            for one in all_of_it
+            if not one.ok
+        ]
 
     @property
     def ok(self) -> bool:
-        """Whether no controller ever refused its input; the verdicts speak of the paper."""
-        every = [one for each in self.flights.values() for one in each.values()]
-        return all(bool((one.status < REFUSED).all()) for one in every)
+        """Whether no invariant broke; the verdicts speak of the paper."""
+        return not self.broken
 
     @cached_property
     def claims(self) -> list[Judged]:
@@ -59,7 +71,7 @@ class Comparison:
     def table(self) -> str:
         """Figures per controller, and the claims, as text."""
         parts = [digest.table(number, each) for number, each in self.flights.items()]
-        parts += [note for note in [self._note()] if note]
+        parts += [note for note in ["\n".join(self.broken), self._note()] if note]
         parts.append(claim_table.text(self.claims))
         return "\n\n".join(parts)
 
@@ -72,7 +84,8 @@ class Comparison:
     def as_json(self, number: int) -> str:
         """One scenario in numbers."""
         return digest.as_json(number, self.vehicle, self.backend, self.crafts,
-                              self.flights[number], self.claims, self.differences)  # fmt: skip
+                              self.flights[number], self.watched[number], self.claims,
+                              self.differences)  # fmt: skip
 
 
 def scenarios(
@@ -85,6 +98,7 @@ def scenarios(
     backend_of(backend)
     _refuse_other_groups(vehicle)
     flights: dict[int, dict[str, Flight]] = {number: {} for number in numbers}
+    watched: dict[int, dict[str, Watched]] = {number: {} for number in numbers}
     crafts = []
     for entrant in ENTRANTS.values():
         show(f"{entrant.title}: deriving")
@@ -92,9 +106,10 @@ def scenarios(
         crafts.append(craft)
         told = partial(_flown, show, entrant.title)
         each = scenario.fly(craft, numbers, backend, told)
-        for number, one in zip(numbers, each, strict=True):
+        for number, (one, found) in zip(numbers, each, strict=True):
             flights[number][entrant.controller] = one
-    return Comparison(vehicle.name, backend, tuple(crafts), flights)
+            watched[number][entrant.controller] = found
+    return Comparison(vehicle.name, backend, tuple(crafts), flights, watched)
 
 
 def _flown(show: Progress, title: str, t: float) -> None:

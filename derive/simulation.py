@@ -106,7 +106,7 @@ def simulate(
     loop = Loop(made, asked.backend, reference, setting, runs)
     (flight,) = recorded(loop.moments(), lambda t: progress(f"{t:.1f} of {setting.seconds:g} s"))
     progress("invariants")
-    return Flown(one, made, setting, asked, flight, tuple(invariants(loop, flight)))
+    return Flown(one, made, setting, asked, flight, invariants(loop, flight))
 
 
 def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> Runs:

@@ -13,6 +13,7 @@ from derive.simulate import claim_table
 from derive.simulate.claim import Judged
 from derive.simulate.craft import Craft
 from derive.simulate.flight import Flight
+from derive.simulate.invariant import Watched, facts
 from derive.simulate.reading import energy, settling, until
 from derive.simulate.scenario import ENTRANTS, FLOWN, SCENARIOS, SECONDS
 
@@ -57,6 +58,7 @@ def as_json(
     backend: str,
     crafts: Sequence[Craft],
     flights: Mapping[str, Flight],
+    watched: Mapping[str, Watched],
     claims: Sequence[Judged],
     differences: Sequence[str],
 ) -> str:
@@ -66,6 +68,7 @@ def as_json(
         craft.controller: {
             "title": ENTRANTS[craft.controller].title, "law": craft.law,
             "gains": dict(craft.gains), **figures(flights[craft.controller]),
+            "invariants": facts(watched[craft.controller]),
             "trajectory": trajectory(flights[craft.controller]),
         }
         for craft in crafts

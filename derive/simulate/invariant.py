@@ -1,15 +1,17 @@
-"""What no correct run breaks: the decay of W, the group itself, the energy of a free plant."""
+"""What no correct run breaks: the decay of W, the group, the energy of a free plant, answers."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from derive.simulate.flight import Flight
 from derive.simulate.loop import Loop
 from derive.simulate.outcome import crosses
+from derive.simulate.pilot import REFUSED
 from derive.simulate.space import Array
 
 SHOWN = 8.0  # k_s t up to which W is judged: after that it is at the floor of the integration
@@ -37,16 +39,36 @@ class Invariant:
         return "holds" if self.ok else "BROKEN"
 
 
-def invariants(loop: Loop, flight: Flight) -> list[Invariant]:
+Watched = tuple[Invariant, ...]
+
+
+def invariants(loop: Loop, flight: Flight) -> Watched:
     """All of them, for the only loop of a run; one that has lost its numbers breaks them."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        return [_decay(loop, flight), _membership(loop, flight), _freedom(loop)]
+    return watched(loop, [flight])[0]
 
 
-def _decay(loop: Loop, flight: Flight) -> Invariant:
+def watched(loop: Loop, flights: Sequence[Flight]) -> list[Watched]:
+    """All of them, for each of the loops that flew together."""
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        free = _freedom(loop)
+        return [
+            (_decay(loop, flight, i), _membership(loop, flight), free[i], _answered(flight))
+            for i, flight in enumerate(flights)
+        ]
+
+
+def facts(each: Sequence[Invariant]) -> list[dict[str, Any]]:
+    """As plain data."""
+    return [
+        {"name": one.name, "measured": None if one.why else one.measured, "limit": one.limit,
+         "verdict": one.verdict} for one in each
+    ]  # fmt: skip
+
+
+def _decay(loop: Loop, flight: Flight, column: int) -> Invariant:
     """W = s'Is/2 against W(0) exp(-2 k_s t), which holds for the exact law in continuous time."""
     name = "W = W(0) exp(-2 k_s t)"
-    why = _why_no_decay(loop, flight)
+    why = _why_no_decay(loop, flight, column)
     if why:
         return Invariant(name, 0.0, 1e-8, why)
     k_s = dict(loop.craft.gains)["k_s"]
@@ -56,9 +78,11 @@ def _decay(loop: Loop, flight: Flight) -> Invariant:
     return Invariant(name, float(np.abs(decay - 1).max()), 1e-8)
 
 
-def _why_no_decay(loop: Loop, flight: Flight) -> str:
+def _why_no_decay(loop: Loop, flight: Flight, column: int) -> str:
     setting, runs = loop.setting, loop.runs
-    pushed = any(np.any(one) for one in (runs.disturbance, runs.sine, runs.cosine))
+    met = [_of(one, column) for one in (runs.disturbance, runs.sine, runs.cosine)]
+    pushed = any(np.any(one) for one in met)
+    inertia = _of(runs.inertia, column)
     reasons = (
         ("k_s" not in dict(loop.craft.gains), f"{loop.craft.controller} has no such law"),
         (setting.rate is not None, "the controller is sampled"),
@@ -66,8 +90,8 @@ def _why_no_decay(loop: Loop, flight: Flight) -> str:
         (pushed, "a disturbance acts"),
         (setting.is_noisy, "measurements are noisy"),
         (np.any(flight.force != flight.asked), "the actuators saturate"),
-        (np.any(flight.status >= 16), "the controller refused a state"),
-        (np.any(runs.inertia != np.array(loop.craft.inertia)[:, None]), "the inertia is in error"),
+        (np.any(flight.status >= REFUSED), "the controller refused a state"),
+        (np.any(inertia != np.array(loop.craft.inertia)), "the inertia is in error"),
         (
             crossings(flight, loop.space.turns, setting.period) > 0,
             "the error crosses the cut locus",
@@ -96,14 +120,27 @@ def _membership(loop: Loop, flight: Flight) -> Invariant:
     return Invariant("g and g_r stay on the group", worst, 1e-10)
 
 
-def _freedom(loop: Loop) -> Invariant:
-    """Kinetic energy nu'I nu/2 of the plant without any force, over the same time and steps."""
-    inertia = symmetric(tuple(loop.runs.inertia[:, 0]))
-    energy = [float(nu @ inertia @ nu) / 2 for nu in (body.nu[:, 0] for body in loop.coasted())]
-    if not energy[0]:
-        return Invariant("energy of the free plant", 0.0, 1e-8, "it starts at rest")
-    change = float(np.abs(np.array(energy) / energy[0] - 1).max())
-    return Invariant("energy of the free plant", change, 1e-8)
+def _freedom(loop: Loop) -> list[Invariant]:
+    """Kinetic energy nu'I nu/2 of each plant without any force, over the same time and steps."""
+    name, limit = "energy of the plant left alone", 1e-8
+    speeds = np.stack([body.nu for body in loop.coasted()])  # (T, n, N)
+    found = []
+    for i in range(speeds.shape[2]):
+        inertia = symmetric(_of(loop.runs.inertia, i).tolist())
+        energy = np.einsum("ti,ij,tj->t", speeds[:, :, i], inertia, speeds[:, :, i]) / 2
+        change = float(np.abs(energy / energy[0] - 1).max()) if energy[0] else 0.0
+        found.append(Invariant(name, change, limit, "" if energy[0] else "it starts at rest"))
+    return found
+
+
+def _answered(flight: Flight) -> Invariant:
+    """Instants at which the controller refused its input, or found what it leads to not finite."""
+    return Invariant("no state is refused", float((flight.status >= REFUSED).sum()), 0.0)
+
+
+def _of(values: Array, column: int) -> Array:
+    """What a loop has, of columns (size, N) or (size, 1) that all share."""
+    return values[:, column if values.shape[1] > 1 else 0]
 
 
 def symmetric(upper: Sequence[float]) -> Array:

@@ -17,6 +17,8 @@ from derive.simulate.space import Array
 
 BACKENDS = ("numpy", "f64", "f32")
 
+REFUSED = 16  # the first status whose command is zero
+
 
 class Command(NamedTuple):
     """What `control` says: force, s and nu_u, (n, N) each, and status (N,)."""

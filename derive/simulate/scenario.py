@@ -13,6 +13,7 @@ import numpy as np
 
 from derive.simulate.craft import Craft
 from derive.simulate.flight import Flight, recorded
+from derive.simulate.invariant import Watched, watched
 from derive.simulate.loop import Loop
 from derive.simulate.pace import longest
 from derive.simulate.reference import steady
@@ -105,8 +106,11 @@ def fly(
     numbers: Sequence[int],
     backend: str,
     progress: Callable[[float], None] = lambda _: None,
-) -> list[Flight]:
-    """One Flight of FLOWN seconds for each scenario, all of one craft, controlled continuously."""
+) -> list[tuple[Flight, Watched]]:
+    """A Flight of FLOWN seconds for each scenario, and what was watched in it.
+
+    All of one craft, controlled continuously.
+    """
     reference, g = starts(numbers)
     still, loops = np.zeros((3, 1)), len(numbers)
     runs = Runs(
@@ -122,9 +126,9 @@ def fly(
     )
     rate = np.array(RATE)[:, None]
     setting = Setting(FLOWN, longest=INSTANT / math.ceil(INSTANT / longest(craft, None) - 1e-9))
-    return recorded(
-        Loop(craft, backend, steady(reference, rate), setting, runs).moments(), progress
-    )
+    loop = Loop(craft, backend, steady(reference, rate), setting, runs)
+    flights = recorded(loop.moments(), progress)
+    return list(zip(flights, watched(loop, flights), strict=True))
 
 
 def differences(crafts: Sequence[Craft]) -> list[str]:

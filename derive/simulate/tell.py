@@ -12,7 +12,7 @@ import numpy as np
 from derive.control.motion import measure
 from derive.lie.group import Group
 from derive.simulate.flight import Flight
-from derive.simulate.invariant import Invariant
+from derive.simulate.invariant import Invariant, facts
 from derive.simulate.runs import Setting
 
 SCHEMA = 1
@@ -63,7 +63,7 @@ def table(
 
 
 def as_json(
-    facts: dict[str, Any],
+    head: dict[str, Any],
     setting: Setting,
     flight: Flight,
     found: dict[str, float | None],
@@ -74,13 +74,10 @@ def as_json(
     samples = {name: getattr(flight, name)[rows].tolist() for name in KEPT}
     whole = {
         "schema": SCHEMA,
-        **facts,
+        **head,
         "setting": asdict(setting),
         "figures": found,
-        "invariants": [
-            {"name": one.name, "measured": None if one.why else one.measured, "limit": one.limit,
-             "verdict": one.verdict} for one in watched
-        ],
+        "invariants": facts(watched),
         "trajectory": samples,
     }  # fmt: skip
     return json.dumps(_plain(whole), indent=1, ensure_ascii=False) + "\n"

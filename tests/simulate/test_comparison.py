@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from derive import comparison, folder
 from derive.comparison import Comparison, entered
 from derive.simulate import claim_table, style
+from derive.simulate.invariant import Invariant
 from derive.simulate.scenario import ENTRANTS
 from derive.vehicle import InputError, Vehicle, load
 from tests.command import ROOT
@@ -111,11 +112,25 @@ def test_another_body_is_told(compared: Comparison) -> None:
     assert "not the paper's" not in compared.table()
 
 
-def test_a_refusing_controller_is_not_ok(compared: Comparison) -> None:
-    flights = {n: dict(each) for n, each in compared.flights.items()}
-    one = flights[3]["pd_plus"]
-    flights[3]["pd_plus"] = replace(one, status=np.where(one.t == one.t[-1], 17, one.status))
-    assert not replace(compared, flights=flights).ok
+def test_a_broken_invariant_is_told(compared: Comparison) -> None:
+    assert compared.ok
+    watched = {n: dict(each) for n, each in compared.watched.items()}
+    broken = Invariant("no state is refused", 3.0, 0.0)
+    watched[3]["pd_plus"] = (*watched[3]["pd_plus"][:-1], broken)
+    found = replace(compared, watched=watched)
+    assert not found.ok
+    assert "scenario 3, PD+: no state is refused BROKEN, 3, at most 0" in found.table()
+    assert (
+        json.loads(found.as_json(3))["controllers"]["pd_plus"]["invariants"][-1]["verdict"]
+        == "BROKEN"
+    )
+
+
+def test_the_paper_keeps_every_invariant(compared: Comparison) -> None:
+    for each in compared.watched.values():
+        for name, found in each.items():
+            assert [one.verdict for one in found][1:] == ["holds"] * 3
+            assert found[0].verdict == "holds" or name != "gsmc"
 
 
 def test_the_tables_of_the_documents_are_the_measured_ones(compared: Comparison) -> None:

@@ -35,7 +35,8 @@ def test_the_file_holds_what_it_promises(compared: Comparison, number: int) -> N
     told = [one["name"] for one in found["claims"]]
     assert told == [claim.name for claim in CLAIMS if claim.scenario == number]
     for one in found["controllers"].values():
-        assert set(one) == {"title", "law", "gains", "energy", "settled", "peak", "trajectory"}
+        assert set(one) == {"title", "law", "gains", "energy", "settled", "peak", "invariants",
+                            "trajectory"}  # fmt: skip
         assert set(one["peak"]) == {"force", "height", "rate_error"}
         kept = one["trajectory"]
         rows = len(kept["t"])

@@ -235,7 +235,7 @@ def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
     row = fly(campaign.plan(vehicle("SO3"), None, said), 4, 5)
     given = {**said.given, "rate": said.rates[0]}
     seed = int(row["seed"][0])
-    again = simulation.Asked(backend, seed, said.box, said.speed, given)
+    again = simulation.Asked(backend, seed, said.box, said.speed, given=given)
     flight = simulation.simulate(vehicle("SO3"), None, again).flight
     assert row["energy"][0] == flight.energy[-1]
     assert row["final_height"][0] == flight.height[-1]
