@@ -106,7 +106,9 @@ def sweep(
     finally:
         show("")
     click.echo(campaign.text(found))
-    for line in _replays(file, found, {**said, "backend": backend, "box": box, "speed": speed}):
+    for line in _replays(
+        file, found, {**said, "backend": backend, "box": box, "speed": speed, "settle": settle}
+    ):
         click.echo(line)
     click.echo(f"\nwrote {opened.results}")
     if lacking:

@@ -14,6 +14,7 @@ from derive.vehicle import InputError, Vehicle
 from derive.vehicle.motion import Motion, read_motion
 
 OFF_GROUP = 1e-6  # largest residual of a given configuration, as in the emitted guard
+UNEVEN = 0.1  # of the change of velocity in a row, against the largest that rates lead to
 UNLIKE = 1e-3  # of a configuration against the one its velocities lead to, from row to row
 
 
@@ -25,7 +26,7 @@ def course(vehicle: Vehicle, craft: Craft) -> Course:
         remedy = 'leave it out, or write controller = "gsmc"'
         raise InputError(vehicle.source, "reference", expected, found, remedy)
     if written.file is not None:
-        return _of_file(written.file, space)
+        return _of_file(written.file, space, float(vehicle.experiment.duration))
     start = _start(vehicle, space)
     if written.kind == "rate":
         return Course("steady", start, (_floats(written.nu_r),))
@@ -59,7 +60,7 @@ def _start(vehicle: Vehicle, space: Space) -> tuple[float, ...]:
     return given
 
 
-def _of_file(path: Path, space: Space) -> Course:
+def _of_file(path: Path, space: Space, duration: float) -> Course:
     """A motion whose every configuration is on the group and follows from its velocities."""
     motion = read_motion(path, space.size, space.dim)
     g = np.array(motion.g).T
@@ -70,8 +71,25 @@ def _of_file(path: Path, space: Space) -> Course:
     remedy = "mend g or nu_r, or give more rows; velocities are in the body frame"
     unlike = np.concatenate([[0.0], _unlike(space, g, motion)])
     _refuse(path, motion, unlike, UNLIKE, expected, "apart from it by", remedy)
+    expected = "the change of nu_r from the row above, as its rates have it"
+    remedy = "mend nu_r or nu_r_dot, or leave the columns of nu_r_dot out"
+    _refuse(path, motion, _uneven(motion), UNEVEN, expected, "apart from it by a share of", remedy)
+    _check_span(path, motion, duration)
     rows = zip(motion.t, motion.nu_r, motion.nu_r_dot, strict=True)
     return Course("table", motion.g[0], tuple((t, *nu, *dot) for t, nu, dot in rows))
+
+
+def _check_span(path: Path, motion: Motion, duration: float) -> None:
+    """Raise InputError unless the rows reach from 0 to the end of the flight."""
+    if motion.t[0] != 0:
+        remedy = "count the time from the start of the flight"
+        raise InputError(str(path), f"line {motion.lines[0]}", "t = 0 in the first row",
+                         f"t = {motion.t[0]!r}", remedy)  # fmt: skip
+    if motion.t[-1] < duration * (1 - 1e-9):
+        remedy = f"give more rows, or fly --duration {motion.t[-1]:g}"
+        raise InputError(str(path), f"line {motion.lines[-1]}",
+                         f"rows up to the end of the flight, {duration:g} s",
+                         f"the last at {motion.t[-1]:g} s", remedy)  # fmt: skip
 
 
 def _refuse(
@@ -102,3 +120,12 @@ def _unlike(space: Space, g: Array, motion: Motion) -> Array:
         reached = space.advance(reached, x)
     apart = np.abs(reached - g[:, 1:]).max(0)
     return np.asarray(apart / np.maximum(1.0, np.abs(g[:, 1:]).max(0)))
+
+
+def _uneven(motion: Motion) -> Array:
+    """Change of nu_r between rows less the mean of its rates, over the largest change, (rows,)."""
+    t, nu, dot = np.array(motion.t), np.array(motion.nu_r), np.array(motion.nu_r_dot)
+    led = np.diff(t)[:, None] * (dot[:-1] + dot[1:]) / 2
+    off = np.abs(np.diff(nu, axis=0) - led).max(1)
+    largest = max(float(np.abs(led).max()), float(np.abs(np.diff(nu, axis=0)).max()), 1e-9)
+    return np.concatenate([[0.0], off / largest])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -73,17 +74,33 @@ class Flown:
         drawn = "" if self.asked.seed is None else f", seed {self.asked.seed}"
         head = (
             f"{self.craft.name}: {self.craft.controller} on {self.craft.group}, "
-            f"{self.asked.backend}, {pace}, {self.setting.seconds:g} s{drawn}"
+            f"{self.asked.backend}, {pace}, {self.flight.t[-1]:g} s{drawn}"
         )
         return tell.table(head, group_of(self.craft), self.found, self.invariants)
 
     def as_json(self) -> str:
         """Everything, trajectory included."""
-        craft = self.craft
-        facts = {"vehicle": craft.name, "group": craft.group, "law": craft.law,
-                 "controller": craft.controller, "backend": self.asked.backend,
-                 "seed": self.asked.seed}  # fmt: skip
-        return tell.as_json(facts, self.setting, self.flight, self.found, self.invariants)
+        craft, asked = self.craft, self.asked
+        head = {
+            "vehicle": craft.name, "group": craft.group, "law": craft.law,
+            "controller": craft.controller, "gains": dict(craft.gains),
+            "inertia": list(craft.inertia), "backend": asked.backend, "seed": asked.seed,
+            "spread": None if asked.seed is None else {"box": asked.box, "speed": asked.speed},
+            "settle": asked.settle, "experiment": decimal(asdict(self.vehicle.experiment)),
+        }  # fmt: skip
+        group = group_of(craft)
+        return tell.as_json(head, group, self.setting, self.flight, self.found, self.invariants)
+
+
+def decimal(value: Any) -> Any:
+    """Exact numbers as floats, paths as text: what JSON can hold."""
+    if isinstance(value, dict):
+        return {key: decimal(one) for key, one in value.items()}
+    if isinstance(value, tuple):
+        return [decimal(one) for one in value]
+    if isinstance(value, Fraction):
+        return float(value)
+    return value.name if isinstance(value, Path) else value
 
 
 def simulate(

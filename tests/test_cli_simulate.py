@@ -15,7 +15,7 @@ from tests.command import FILES, derive, refused
 FIGURES = (
     *("first height", "last height", "last |nu_e|", "settled to 0.01", "settled to 1e-06"),
     *("energy", "peak |force|", "peak |nu_e|", "crossings of the cut", "refused instants"),
-    *("W = W(0) exp(-2 k_s t)", "g and g_r stay on the group", "energy of the free plant"),
+    *("W = W(0) exp(-2 k_s t)", "g and g_r stay on the group", "energy of the plant left alone"),
 )
 SHORT = ("--duration", "0.5", "--rate", "20")
 

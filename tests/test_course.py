@@ -37,7 +37,7 @@ def craft(name: str) -> Craft:
 def vehicle(name: str, followed: Course | None = None, controller: str = "gsmc") -> Vehicle:
     law = "skew" if name == "SL2" else "log"
     one = replace(made.vehicle(name, law), controller=controller, source="body.toml")
-    return replace(one, experiment=Experiment(course=followed or Course()))
+    return replace(one, experiment=Experiment(followed or Course(), duration=Fraction(2)))
 
 
 def followed(name: str, said: Course) -> Reference:
@@ -203,3 +203,31 @@ def test_the_other_quaternion_of_a_row_is_a_jump(tmp_path: Path) -> None:
     for place in range(1, 5):
         lines[6] = changed(lines[6], place, lambda x: -x)
     assert refusal(lambda: of_file(tmp_path, "S3", lines)).key == "line 7"
+
+
+def test_a_motion_begins_with_the_flight(tmp_path: Path) -> None:
+    lines = csv("SO3", seconds=4.0)
+    late = [lines[0], *lines[3:]]
+    said = refusal(lambda: of_file(tmp_path, "SO3", late))
+    assert (said.key, said.expected, said.found) == ("line 2", "t = 0 in the first row", "t = 0.2")
+
+
+def test_a_motion_lasts_as_long_as_the_flight(tmp_path: Path) -> None:
+    said = refusal(lambda: of_file(tmp_path, "SO3", csv("SO3", seconds=1.5)))
+    assert said.key == "line 17"
+    assert "end of the flight, 2 s" in said.expected
+    assert "--duration 1.5" in said.remedy
+
+
+def test_rates_that_are_not_those_of_the_velocities_are_refused(tmp_path: Path) -> None:
+    lines = csv("SO3")
+    names = lines[0].split(",")
+    place = names.index("nu_r_dot_0")
+    wrong = [lines[0]]
+    for line in lines[1:]:
+        cells = line.split(",")
+        cells[place] = repr(float(cells[place]) + 1.0)
+        wrong.append(",".join(cells))
+    said = refusal(lambda: of_file(tmp_path, "SO3", wrong))
+    assert said.key == "line 3"
+    assert "change of nu_r" in said.expected

@@ -47,8 +47,11 @@ class Setting:
 
     @property
     def periods(self) -> int:
-        """How many of them fit into the duration."""
-        return max(1, round(self.seconds / self.period))
+        """How many of them fit into the duration: the last may end before it."""
+        exact = self.seconds / self.period
+        nearest = round(exact)
+        is_whole = abs(exact - nearest) <= 1e-9 * max(1.0, exact)
+        return max(1, nearest if is_whole else int(exact))
 
     @property
     def parts(self) -> int:

@@ -39,6 +39,7 @@ def figures(flight: Flight, crossings: int, settle: float) -> dict[str, float | 
         "peak |force|": float(flight.effort().max()),
         "peak |nu_e|": float(flight.rate_error().max()),
         "crossings of the cut": crossings,
+        "saturated instants": int(np.any(flight.force != flight.asked, axis=1).sum()),
         "refused instants": int((flight.status >= REFUSED).sum()),
     }
 
@@ -58,12 +59,13 @@ def table(
     lines.append("")
     for one in watched:
         number = "" if one.why else f"  {one.measured:.2g}, at most {one.limit:g}"
-        lines.append(f"  {one.name:<28} {one.verdict}{number}")
+        lines.append(f"  {one.name:<31} {one.verdict}{number}")
     return "\n".join(lines)
 
 
 def as_json(
     head: dict[str, Any],
+    group: Group,
     setting: Setting,
     flight: Flight,
     found: dict[str, float | None],
@@ -76,11 +78,22 @@ def as_json(
         "schema": SCHEMA,
         **head,
         "setting": asdict(setting),
+        "units": _units(group),
         "figures": found,
         "invariants": facts(watched),
         "trajectory": samples,
     }  # fmt: skip
     return json.dumps(_plain(whole), indent=1, ensure_ascii=False) + "\n"
+
+
+def _units(group: Group) -> dict[str, str]:
+    """Of what the trajectory holds."""
+    speed, force = group.unit, group.force_unit
+    return {
+        "t": "s", "g": group.storage, "nu": speed, "g_r": group.storage, "nu_r": speed,
+        "height": measure(group).unit, "nu_e": speed, "s": speed, "force": force,
+        "energy": f"({force}) sqrt(s)", "status": "1",
+    }  # fmt: skip
 
 
 def _plain(value: Any) -> Any:

@@ -110,7 +110,7 @@ SCALARS = {
 def _course(top: Table, n: int) -> Course:
     table = top.table("reference")
     table.only(REFERENCE_KEYS, HOMES)
-    kind = table.choice("kind", tuple(KINDS), "rate" if "nu_r" in table.values else "rest")
+    kind = table.choice("kind", tuple(KINDS), _likely(table))
     _refuse_others(table, kind)
     wanted = KINDS[kind][1:]
     if kind == "file":
@@ -126,6 +126,12 @@ def _course(top: Table, n: int) -> Course:
         duration=_scalar(table, "duration", *SCALARS["duration"]) if "duration" in wanted
         else Fraction(0),
     )  # fmt: skip
+
+
+def _likely(table: Table) -> str:
+    """The kind that the keys speak of, where none is written."""
+    own = {"nu_r": "rate", "along": "slew", "file": "file"}
+    return next((kind for key, kind in own.items() if key in table.values), "rest")
 
 
 def _refuse_others(table: Table, kind: str) -> None:

@@ -49,7 +49,7 @@ def asked(runs: int = 20, **given: Any) -> campaign.Asked:
         "runs": runs, "seed": 3, "backend": "numpy", "box": 0.8, "speed": 0.5,
         "settle": 1e-2, "rates": (20.0,), "chunk": 8,
     }  # fmt: skip
-    errors: Mapping[str, Any] = {"seconds": 2.0, "inertia_error": 0.1, "disturbance": (0.01,)}
+    errors: Mapping[str, Any] = {"duration": 2.0, "inertia_error": 0.1, "disturbance": (0.01,)}
     own = {key: value for key, value in given.items() if key in plain}
     other = {key: value for key, value in given.items() if key not in plain}
     return campaign.Asked(**{**plain, **own}, given={**errors, **other})

@@ -34,14 +34,14 @@ def flights(made: Plan, is_fast: bool) -> list[Flight]:
 def test_c_flies_as_numpy_does(group: str) -> None:
     space = space_of(craft(group))
     moving = Course("slew", tuple(space.identity[:, 0]), ((0.4,) * space.dim, (0.5,)))
-    made = replace(plan(group, seconds=0.6), course=moving)
+    made = replace(plan(group, duration=0.6), course=moving)
     for fast, plain in zip(flights(made, True), flights(made, False), strict=True):
         for name in ("g", "nu", "g_r", "g_e", "nu_e", "height", "energy"):
             np.testing.assert_array_equal(getattr(fast, name), getattr(plain, name), name)
 
 
 def test_wheels_keep_their_momentum() -> None:
-    made = plan("SO3", seconds=0.3)
+    made = plan("SO3", duration=0.3)
     wheels = replace(made, craft=replace(craft("SO3"), options=("momentum",)))
     assert "momentum" in space_of(wheels.craft).options
     runs = drawn(wheels.craft, made.course.reference(), made.spread, [1, 2])

@@ -36,13 +36,13 @@ def flown(made: Plan) -> list[Flight]:
 @pytest.mark.parametrize(
     ("group", "given"),
     [
-        ("SO3", {"seconds": 9.5}),
-        ("SO3", {"seconds": 7.0, "backend": "f64", "settle": 0.05}),
-        ("SO3", {"seconds": 2.0, "force_limit": (2.0,)}),
-        ("SO3", {"seconds": 3.0, "noise_g": 0.01, "noise_nu": 0.02}),
-        ("S3", {"seconds": 4.0, "speed": 3.0}),
-        ("SE2", {"seconds": 6.0}),
-        ("R3", {"seconds": 8.0, "settle": 0.1}),
+        ("SO3", {"duration": 9.5}),
+        ("SO3", {"duration": 7.0, "backend": "f64", "settle": 0.05}),
+        ("SO3", {"duration": 2.0, "force_limit": (2.0,)}),
+        ("SO3", {"duration": 3.0, "noise_g": 0.01, "noise_nu": 0.02}),
+        ("S3", {"duration": 4.0, "speed": 3.0}),
+        ("SE2", {"duration": 6.0}),
+        ("R3", {"duration": 8.0, "settle": 0.1}),
     ],
     ids=str,
 )
@@ -67,13 +67,13 @@ def test_every_outcome_is_what_the_flight_shows(group: str, given: dict[str, Any
 
 
 def test_some_runs_settle_and_some_do_not() -> None:
-    rows = fly_seeds(moving("SO3", seconds=7.0, settle=0.05), SEEDS)
+    rows = fly_seeds(moving("SO3", duration=7.0, settle=0.05), SEEDS)
     assert 3 < rows["settled"].sum() < len(SEEDS) - 3
 
 
 def test_a_crossing_of_the_cut_is_a_rotation_vector_that_turns_over() -> None:
     """On SO(3) near pi: from one instant to the next it points the other way."""
-    made = moving("SO3", seconds=3.0, speed=5.0)
+    made = moving("SO3", duration=3.0, speed=5.0)
     counted = fly_seeds(made, SEEDS)["crossings"]
     turned = []
     for flight in flown(made):
@@ -89,7 +89,7 @@ def test_nothing_crosses_where_nothing_turns() -> None:
 
 
 def test_a_plant_that_is_off_its_group_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = plan("SO3", seconds=0.2)
+    made = plan("SO3", duration=0.2)
     assert fly_seeds(made, SEEDS)["drift"].max() < 1e-12
     plain = Loop._lifted
     monkeypatch.setattr(
@@ -101,7 +101,7 @@ def test_a_plant_that_is_off_its_group_is_seen(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.parametrize("group", ["SO2", "SO3", "S3", "SE2", "SE3", "SE23", "R3", "SE3 x SO3",
                                    "SL2"])  # fmt: skip
 def test_every_group_is_swept(group: str) -> None:
-    rows = fly_seeds(plan(group, seconds=0.2), SEEDS[:3])
+    rows = fly_seeds(plan(group, duration=0.2), SEEDS[:3])
     assert {*OUTCOMES} < {*rows}
     for name in ("energy", "peak_force", "final_height", "final_rate"):
         assert np.all(np.isfinite(rows[name]))

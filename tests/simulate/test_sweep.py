@@ -40,7 +40,7 @@ def opened(out: Path, chunk: int = 8, **given: Any) -> campaign.Sweep:
 
 
 def said_of(chunk: int, given: dict[str, Any]) -> dict[str, Any]:
-    plain = {"runs": RUNS, "rates": (20.0, 30.0), "noise_g": 0.001, "seconds": BRIEF}
+    plain = {"runs": RUNS, "rates": (20.0, 30.0), "noise_g": 0.001, "duration": BRIEF}
     return {**plain, "chunk": chunk, **given}
 
 
@@ -196,7 +196,7 @@ def test_a_damaged_chunk_is_flown_again(truth: bytes, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("given", "key"),
-    [({"settle": 0.5}, "settle"), ({"seconds": 2.5}, r"setting.0.seconds"), ({"seed": 4}, "seed"),
+    [({"settle": 0.5}, "settle"), ({"duration": 2.5}, r"setting.0.seconds"), ({"seed": 4}, "seed"),
      ({"inertia_error": 0.2}, r"spread.inertia")],
     ids=str,
 )  # fmt: skip
@@ -231,7 +231,7 @@ def test_numbers_are_read_back_exactly(truth: bytes) -> None:
 
 @pytest.mark.parametrize("backend", ["numpy", "f64"])
 def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
-    said = asked(backend=backend, seconds=1.0, wave=(0.1,), hertz=0.5)
+    said = asked(backend=backend, duration=1.0, wave=(0.1,), hertz=0.5)
     row = fly(campaign.plan(vehicle("SO3"), None, said), 4, 5)
     given = {**said.given, "rate": said.rates[0]}
     seed = int(row["seed"][0])
@@ -244,7 +244,7 @@ def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
 
 @pytest.mark.parametrize(("group", "settle"), [("SO3", 0.3), ("R3", 1e-9)])
 def test_pictures_are_drawn_of_any_outcome(group: str, settle: float) -> None:
-    rows = fly(plan(group, settle=settle, seconds=1.0, rates=(10.0,)), 0, 20)
+    rows = fly(plan(group, settle=settle, duration=1.0, rates=(10.0,)), 0, 20)
     drawn = pictures(rows, "some")
     assert {*drawn} == {f"{name}.{form}" for name in ("settling_time", "success_map")
                         for form in ("png", "svg")}  # fmt: skip
@@ -255,7 +255,7 @@ def test_pictures_are_drawn_of_any_outcome(group: str, settle: float) -> None:
 
 
 def test_the_summary_is_what_the_rows_say() -> None:
-    rows = fly(plan(settle=0.05, seconds=6.5, rates=(10.0,)), 0, 30)
+    rows = fly(plan(settle=0.05, duration=6.5, rates=(10.0,)), 0, 30)
     found, settled = summary(rows), rows["settled"]
     assert 0 < settled.sum() < 30
     assert found["share_settled"] == pytest.approx(settled.mean())

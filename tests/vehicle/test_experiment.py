@@ -91,8 +91,13 @@ def test_everything_is_read_exactly(tmp_path: Path) -> None:
     )  # fmt: skip
 
 
-def test_a_velocity_alone_is_a_steady_motion(tmp_path: Path) -> None:
-    assert said(tmp_path, "[reference]\nnu_r = [1, 2, 3]\n").course.kind == "rate"
+@pytest.mark.parametrize(
+    ("keys", "kind"),
+    [("", "rest"), ("nu_r = [1, 2, 3]", "rate"), ("along = 1\nduration = 3", "slew"),
+     ('file = "m.csv"', "file")],
+)  # fmt: skip
+def test_the_kind_is_the_one_its_keys_speak_of(keys: str, kind: str, tmp_path: Path) -> None:
+    assert said(tmp_path, f"[reference]\n{keys}\n").course.kind == kind
 
 
 def test_a_file_stands_beside_the_vehicle(tmp_path: Path) -> None:
@@ -108,7 +113,7 @@ REFERENCE = [
     ('kind = "rate"\nalong = [1, 2, 3]', "along", "g_r, nu_r", "kind slew", "leave along out"),
     ('kind = "rate"\nduration = 3', "duration", "g_r, nu_r", "kind slew", 'kind = "slew"'),
     ('kind = "file"\ng_r = [1]', "g_r", "keys of kind file: file", "rest or rate", "leave g_r out"),
-    ('file = "m.csv"', "file", "kind rest", "kind file", 'write kind = "file"'),
+    ('kind = "rest"\nfile = "m.csv"', "file", "kind rest", "kind file", 'write kind = "file"'),
     ('kind = "file"', "file", "motion.csv", "missing", "write file"),
     ('kind = "file"\nfile = 3', "file", "CSV file", "3", "in quotes"),
     ('kind = "rate"', "nu_r", "kind rate", "missing", "write nu_r"),
