@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from derive.simulate.flight import Flight
-from derive.simulate.reading import settled
+from derive.simulate.reading import settled_between
 from derive.simulate.space import Array
 
 REPRODUCED = "reproduced"
@@ -72,8 +72,10 @@ class Quantity:
 
     def times(self, flights: Flights) -> Array:
         """Settling times at each threshold, (3, M), in the order of THREE."""
-        return np.stack([settled(flights[name].t, self.values(flights[name]), self.thresholds)
-                         for name in THREE])  # fmt: skip
+        return np.stack([
+            settled_between(flights[name].t, self.values(flights[name]), self.thresholds)
+            for name in THREE
+        ])  # fmt: skip
 
 
 PSI = Quantity("Ψ", lambda flight: flight.height, np.geomspace(1e-2, 1e-12, 401))

@@ -23,7 +23,7 @@ from derive.simulate.judge import (
     order,
     search,
 )
-from derive.simulate.reading import settled, settling, swings, until
+from derive.simulate.reading import settled_between, settling, swings, until
 from derive.simulate.space import Array
 
 T = np.linspace(0.0, 40.0, 801)
@@ -45,7 +45,7 @@ def times(*falls: float) -> Mapping[str, Flight]:
 
 
 def test_settling_is_found_between_two_instants() -> None:
-    found = settled(T, falling(0.7).height, np.array([1.0, 1e-3, 1e-9, 1e-13]))
+    found = settled_between(T, falling(0.7).height, np.array([1.0, 1e-3, 1e-9, 1e-13]))
     np.testing.assert_allclose(found[:3], -np.log([1.0, 1e-3, 1e-9]) / 0.7, atol=1e-12)
     assert np.isnan(found[3])
 
