@@ -102,10 +102,10 @@ def scenarios(
     crafts = []
     for entrant in ENTRANTS.values():
         show(f"{entrant.title}: deriving")
-        craft = flight.craft(entered(vehicle, entrant, backend), cached)
-        crafts.append(craft)
+        made = flight.craft(entered(vehicle, entrant, backend), cached)
+        crafts.append(made)
         told = partial(_flown, show, entrant.title)
-        each = scenario.fly(craft, numbers, backend, told)
+        each = scenario.fly(made, numbers, backend, told)
         for number, (one, found) in zip(numbers, each, strict=True):
             flights[number][entrant.controller] = one
             watched[number][entrant.controller] = found
@@ -133,7 +133,7 @@ def entered(vehicle: Vehicle, entrant: Entrant, backend: str) -> Vehicle:
 def _gains(vehicle: Vehicle, entrant: Entrant) -> tuple[tuple[str, Fraction], ...]:
     """The paper's; those of a force grow with the body, so that they are as quick on any."""
     own = sum((row[i] for i, row in enumerate(vehicle.inertia)), Fraction())
-    share = own / sum(map(Fraction, scenario.MOMENTS))
+    share = own / sum(map(Fraction, scenario.MOMENTS))  # of traces
     units = {gain.name: gain.unit for gain in CONTROLLERS[entrant.controller].gains}
     return tuple((name, Fraction(value) * (share if units[name].startswith("N m") else 1))
                  for name, value in entrant.gains)  # fmt: skip

@@ -80,15 +80,15 @@ class Flown:
 
     def as_json(self) -> str:
         """Everything, trajectory included."""
-        craft, asked = self.craft, self.asked
+        made, asked = self.craft, self.asked
         head = {
-            "vehicle": craft.name, "group": craft.group, "law": craft.law,
-            "controller": craft.controller, "gains": dict(craft.gains),
-            "inertia": list(craft.inertia), "backend": asked.backend, "seed": asked.seed,
+            "vehicle": made.name, "group": made.group, "law": made.law,
+            "controller": made.controller, "gains": dict(made.gains),
+            "inertia": list(made.inertia), "backend": asked.backend, "seed": asked.seed,
             "spread": None if asked.seed is None else {"box": asked.box, "speed": asked.speed},
             "settle": asked.settle, "experiment": decimal(asdict(self.vehicle.experiment)),
         }  # fmt: skip
-        group = group_of(craft)
+        group = group_of(made)
         return tell.as_json(head, group, self.setting, self.flight, self.found, self.invariants)
 
 
@@ -139,17 +139,17 @@ def documents(flown: Flown) -> dict[str, bytes]:
     files = {"flight.json": flown.as_json().encode()}
     if not is_drawable():
         return files
-    group, craft = group_of(flown.craft), flown.craft
-    entries = [(craft.controller, flown.flight)]
-    title = f"{craft.name}: {craft.controller} on {craft.group}"
+    group, made = group_of(flown.craft), flown.craft
+    entries = [(made.controller, flown.flight)]
+    title = f"{made.name}: {made.controller} on {made.group}"
     names = [f"$s_{{{i}}}$" for i in range(group.dim)]
     drawn = {
         "flight": performance(entries, captions_of(group), title),
         "flight_s": sliding(entries, names, group.unit, title),
     }
-    if craft.group in ("SO3", "S3"):
-        turned = [(craft.controller, in_space(flown.flight))]
-        drawn["flight_axis"] = pointing(turned, 3, f"{craft.name}: path of the body axis $e_3$")
+    if made.group in ("SO3", "S3"):
+        turned = [(made.controller, in_space(flown.flight))]
+        drawn["flight_axis"] = pointing(turned, 3, f"{made.name}: path of the body axis $e_3$")
     return files | {
         f"{name}{kind}": content
         for name, figure in drawn.items()

@@ -30,7 +30,7 @@ from derive.simulate.scenario import SECONDS
 from derive.simulate.space import Array
 
 EQUAL = 1e-4  # relative: energies that count as the same
-WHOLE, HALF = 1.0, 0.25  # s: near an instant told in whole seconds, in half ones
+WHOLE, HALF = 1.0, 0.25  # s, for all numbers of a statement: in whole seconds, with a half in it
 REACHED = 1e-6  # of |s(0)|: the reaching phase is over
 CLOSE = 0.05  # of |s(0)|: s = 0 is followed closely, once LAG s have passed
 LAG = 2.0
@@ -55,6 +55,11 @@ class Judged:
     claim: Claim
     printed: Finding
     corrected: Finding
+
+    @property
+    def differs(self) -> bool:
+        """Whether the two forms of LSF lead to different verdicts."""
+        return self.printed.verdict != self.corrected.verdict
 
 
 def judged(flown: Mapping[int, Mapping[str, Flight]]) -> list[Judged]:

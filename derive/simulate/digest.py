@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -14,6 +13,7 @@ from derive.simulate.claim import Judged
 from derive.simulate.craft import Craft
 from derive.simulate.flight import Flight
 from derive.simulate.invariant import Watched, facts
+from derive.simulate.plain import plain
 from derive.simulate.reading import energy, settling, until
 from derive.simulate.scenario import ENTRANTS, FLOWN, SCENARIOS, SECONDS
 
@@ -22,10 +22,10 @@ SAMPLES = 601  # of a trajectory, at most; the first and the last are among them
 SETTLED = {"height": (1e-2, 1e-4, 1e-6, 1.3e-7), "rate_error": (1e-2, 1e-3, 3e-4)}
 """Thresholds of Psi and of |nu_e| in rad/s."""
 
-KEPT = ("t", "g", "nu", "height", "s", "force")
-UNITS = {"t": "s", "g": "1, row by row", "nu": "rad/s", "height": "1, tr(1 - R_e)/2",
-         "s": "rad/s", "force": "N m", "energy": "N m sqrt(s)", "rate_error": "rad/s",
-         "settled": "s"}  # fmt: skip
+KEPT = ("t", "g", "nu", "g_r", "height", "s", "force")
+UNITS = {"t": "s", "g": "1, row by row", "nu": "rad/s", "g_r": "1, row by row",
+         "height": "1, tr(1 - R_e)/2", "s": "rad/s", "force": "N m", "energy": "N m sqrt(s)",
+         "rate_error": "rad/s", "settled": "s"}  # fmt: skip
 
 
 def figures(flight: Flight) -> dict[str, Any]:
@@ -81,15 +81,6 @@ def as_json(
         "claims": claim_table.rows([c for c in claims if c.claim.scenario == number]),
     }  # fmt: skip
     return json.dumps(plain(whole), ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def plain(value: Any) -> Any:
-    """The same with None for a number that is not finite, which JSON does not have."""
-    if isinstance(value, dict):
-        return {key: plain(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(one) for one in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def table(number: int, flights: Mapping[str, Flight]) -> str:

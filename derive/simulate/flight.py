@@ -43,14 +43,6 @@ class Flight:
         """|force|, (T,)."""
         return np.asarray(np.linalg.norm(self.force, axis=-1))
 
-    def settled(self, values: Array, threshold: float) -> float | None:
-        """The first instant from which values (T,) stay at or below it; None if they do not."""
-        above = np.flatnonzero(~(values <= threshold))
-        if not len(above):
-            return float(self.t[0])
-        last = int(above[-1])
-        return None if last == len(self.t) - 1 else float(self.t[last + 1])
-
 
 def recorded(
     moments: Iterable[Moment], progress: Callable[[float], None] = lambda _: None

@@ -12,14 +12,15 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from derive.simulate.flight import Flight
-from derive.simulate.reading import settled
+from derive.simulate.reading import settled_between
 from derive.simulate.space import Array
 
 REPRODUCED = "reproduced"
-AT_ONE = "reproduced at one threshold"
+AT_SOME = "reproduced at some thresholds"  # an order, which others reverse
+AT_ONE = "reproduced at one threshold"  # numbers, all of them together
 NOT_AT_ONE = "not at one threshold"
 NOT = "not reproduced"
-VERDICTS = (REPRODUCED, AT_ONE, NOT_AT_ONE, NOT)
+VERDICTS = (REPRODUCED, AT_SOME, AT_ONE, NOT_AT_ONE, NOT)
 
 THREE = ("gsmc", "lsf", "pd_plus")
 Flights = Mapping[str, Flight]
@@ -72,8 +73,10 @@ class Quantity:
 
     def times(self, flights: Flights) -> Array:
         """Settling times at each threshold, (3, M), in the order of THREE."""
-        return np.stack([settled(flights[name].t, self.values(flights[name]), self.thresholds)
-                         for name in THREE])  # fmt: skip
+        return np.stack([
+            settled_between(flights[name].t, self.values(flights[name]), self.thresholds)
+            for name in THREE
+        ])  # fmt: skip
 
 
 PSI = Quantity("Ψ", lambda flight: flight.height, np.geomspace(1e-2, 1e-12, 401))
@@ -100,7 +103,8 @@ def search(
             return Finding(NOT, "does not settle at any threshold", ())
         best = int(worst.argmin())
         numbers = tuple(float(x) for x in found[:, best])
-        said_so = f"{' / '.join(f'{x:.2f}' for x in numbers)} s, off by {worst[best]:.2f} s at most"
+        off_by = f"off by {worst[best]:.2f} s at most, {within:g} allowed"
+        said_so = f"{' / '.join(f'{x:.2f}' for x in numbers)} s, {off_by}"
         ends = _ends(quantity.thresholds[worst <= within])
         return Finding(_met(off <= within), said_so, numbers, quantity.name,
                        float(quantity.thresholds[best]), *ends, float(worst[best]))  # fmt: skip
@@ -128,7 +132,7 @@ def _ends(thresholds: Array) -> tuple[float | None, float | None]:
 
 
 def order(quantity: Quantity, last: Sequence[str]) -> Judge:
-    """Whether those controllers settle after all others."""
+    """Whether those controllers settle after all others, at each threshold that all reach."""
 
     def judge(flights: Flights) -> Finding:
         times = quantity.times(flights)
@@ -141,11 +145,22 @@ def order(quantity: Quantity, last: Sequence[str]) -> Judge:
         holds = ahead > 0
         numbers = float(ahead.min()), float(ahead.max())
         late_by = f"{numbers[0]:.2f} to {numbers[1]:.2f} s later"
+        verdict = REPRODUCED if holds.all() else AT_SOME if holds.any() else NOT
         ends = _ends(quantity.thresholds[kept][holds])
-        return Finding(_met(holds[None, :]), f"{late_by}, at {holds.mean():.0%} of thresholds",
-                       numbers, quantity.name, None, *ends)  # fmt: skip
+        return Finding(verdict, f"{late_by}; {_share(holds)}", numbers, quantity.name,
+                       None, *ends)  # fmt: skip
 
     return judge
+
+
+def _share(holds: Array) -> str:
+    """At how many of the thresholds (M,) that all reach an order holds, in words."""
+    found, every = int(holds.sum()), len(holds)
+    return (
+        f"holds at all {every} thresholds"
+        if found == every
+        else f"holds at {found} of {every} thresholds"
+    )
 
 
 def measured(of: Callable[[Flights], tuple[bool, str, tuple[float, ...]]]) -> Judge:

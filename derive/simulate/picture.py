@@ -13,7 +13,7 @@ from derive.control.motion import measure
 from derive.lie.group import Group
 from derive.simulate.flight import Flight
 from derive.simulate.space import Array
-from derive.simulate.style import GREY, headed, label_ends, line, panels, ruled
+from derive.simulate.style import GREY, headed, label_ends, line, logarithmic, panels, ruled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,18 +42,20 @@ class Captions:
         return self.height, self.rate, self.force, self.energy
 
 
+ROOT = r"$\sqrt{\mathrm{s}}$"
+
 PAPER = Captions(
     r"$\Psi(R_e)$",
     r"$\Vert\Omega_e\Vert$  [rad/s]",
     r"$\Vert\tau\Vert$  [N m]",
-    r"$(\int_0^t\,\tau^{\mathsf{T}}\tau\,\mathrm{d}t)^{1/2}$  [N m $\sqrt{\mathrm{s}}$]",
+    r"$(\int_0^t\,\tau^{\mathsf{T}}\tau\,\mathrm{d}t)^{1/2}$" + f"  [N m {ROOT}]",
 )
 
 
 def captions_of(group: Group) -> Captions:
     """Names and units on any group."""
     far, force = measure(group), _raised(group.force_unit)
-    root = f"({force}) √s" if ", " in force else f"{force} √s"
+    root = rf"({force}) {ROOT}" if ", " in force else f"{force} {ROOT}"
     return Captions(
         f"{_symbols(far.name)}  [{_raised(far.unit)}]",
         rf"$\Vert\nu_e\Vert$  [{_raised(group.unit)}]",
@@ -65,8 +67,7 @@ def captions_of(group: Group) -> Captions:
 def _symbols(name: str) -> str:
     """The name of a Morse function as a formula."""
     told = re.sub(r"\bq0\b", "q_0", name)
-    for word in ("Psi", "log"):
-        told = re.sub(rf"\b{word}\b", rf"\\{word} ", told)
+    told = re.sub(r"\b(Psi|log)\b", r"\\\1", told)
     return f"${told}$"
 
 
@@ -124,10 +125,7 @@ def _fill(
         axes.plot(t, shown, label=name, **line(index))
     axes.set_xlim(0, seconds)
     if is_log:
-        axes.set_yscale("log")
-        axes.minorticks_off()
-        low, high = axes.get_ylim()
-        axes.set_ylim(max(low, DEEPEST), high)
+        logarithmic(axes, DEEPEST)
     else:
         axes.set_ylim(bottom=0)
 
@@ -135,8 +133,7 @@ def _fill(
 def _name(axes: Axes, lines: Sequence[tuple[str, Array]]) -> None:
     """Each line named where it ends; one alone needs no name."""
     if len(lines) > 1:
-        ends = [float(max(values[-1], axes.get_ylim()[0])) for _, values in lines]
-        label_ends(axes, [name for name, _ in lines], ends)
+        label_ends(axes, *zip(*((name, float(values[-1])) for name, values in lines), strict=True))
 
 
 def sliding(
@@ -160,7 +157,7 @@ def sliding(
             for index, values in enumerate(flight.s.T):
                 axes.plot(flight.t, values, label=names[index], **line(index))
             axes.set_xlim(0, seconds or flight.t[-1])
-            axes.set_title(f"({letter})  {name}", loc="left")
+            axes.set_title(f"({letter})  {name}" if len(entries) > 1 else name, loc="left")
         for axes in grid[-1]:
             axes.set_xlabel("time  [s]")
         for axes in grid[:, 0]:

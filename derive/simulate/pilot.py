@@ -10,14 +10,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from derive.emit.status import FIRST_BAD
 from derive.native.load import Library, load_module
 from derive.native.rows import Rows, build_rows, column
 from derive.simulate.craft import Craft, folder_of, group_of
 from derive.simulate.space import Array
 
 BACKENDS = ("numpy", "f64", "f32")
-
-REFUSED = 16  # the first status whose command is zero
+REFUSED = FIRST_BAD
+"""From this status on the controller has refused its input: the whole command is zero."""
 
 
 class Command(NamedTuple):

@@ -13,10 +13,20 @@ LEAST = 1e-300  # stands for zero under a logarithm
 BAND = 1e-6  # of the largest value: what is smaller swings by rounding
 
 
-def settled(t: Array, values: Array, thresholds: Array) -> Array:
+def settled_instant(t: Array, values: Array, threshold: float) -> float | None:
+    """The first instant of t from which values (T,) stay at or below it, as a sweep counts it.
+
+    None where they do not; a value that is no number is above every threshold.
+    """
+    above = np.flatnonzero(~(values <= threshold))
+    first = int(above[-1]) + 1 if len(above) else 0
+    return None if first == len(t) else float(t[first])
+
+
+def settled_between(t: Array, values: Array, thresholds: Array) -> Array:
     """When values (T,) come to stay at or below each threshold (M,); NaN where they do not.
 
-    Between two instants their logarithm is taken as linear.
+    Between two instants their logarithm is taken as linear, so that times do not stand in steps.
     """
     if not np.isfinite(values).all():
         return np.full(len(thresholds), np.nan)
@@ -31,8 +41,8 @@ def settled(t: Array, values: Array, thresholds: Array) -> Array:
 
 
 def settling(flight: Flight, values: Array, threshold: float) -> float | None:
-    """The same for one threshold; None where they do not."""
-    found = float(settled(flight.t, values, np.array([threshold]))[0])
+    """settled_between for one threshold; None where they do not."""
+    found = float(settled_between(flight.t, values, np.array([threshold]))[0])
     return None if np.isnan(found) else found
 
 

@@ -71,10 +71,11 @@ ENTRANTS = {
 }
 """Controller -> how it takes part; the order is that of tables and pictures."""
 
-INERTIA = (3.6046, -0.0706, 0.1491, 8.6868, 0.0449, 9.3484)
-"""The paper's, kg m^2: upper triangle, row by row."""
+SPELLED = ("3.6046", "-0.0706", "0.1491", "8.6868", "0.0449", "9.3484")
+"""The paper's inertia as it stands there, kg m^2: upper triangle, row by row."""
 
-MOMENTS = ("3.6046", "8.6868", "9.3484")  # its diagonal, exact
+INERTIA = tuple(map(float, SPELLED))
+MOMENTS = tuple(SPELLED[i] for i in (0, 3, 5))  # its diagonal, exact
 
 START = tuple(part / (2 * np.sqrt(14.0)) for part in (1.0, 2.0, 3.0))  # Omega(0), rad/s
 RATE = (0.0, 0.1, 0.0)  # Omega_r, rad/s

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib.util import find_spec
 from io import BytesIO
+from math import ceil, floor, inf, isnan, log10
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -139,43 +140,71 @@ def line(index: int) -> dict[str, Any]:
     return {"color": COLOURS[index % len(COLOURS)], "linestyle": DASHES[index % len(DASHES)]}
 
 
+def logarithmic(axes: Axes, deepest: float) -> None:
+    """A logarithmic height from `deepest` up, with ticks also where it spans less than a decade."""
+    axes.set_yscale("log")
+    axes.minorticks_off()
+    low, high = axes.get_ylim()
+    low = max(low, min(deepest, high / 10))
+    axes.set_ylim(low, high)
+    if floor(log10(high)) - ceil(log10(low)) < 1:  # one power of ten at most
+        _tick_between(axes, low, high)
+
+
+def _tick_between(axes: Axes, low: float, high: float) -> None:
+    """Ticks also between the powers of ten; two or more, each with its number."""
+    from matplotlib import ticker
+
+    steps = (1, 2, 5, 10)
+    is_wide, is_plain = high / low >= 5, low >= 1e-3 and high < 1e4
+    axes.yaxis.set_major_locator(
+        ticker.LogLocator(subs=steps[:3]) if is_wide else ticker.MaxNLocator(4, steps=steps)
+    )
+    axes.yaxis.set_major_formatter(
+        ticker.StrMethodFormatter("{x:g}") if is_plain
+        else ticker.LogFormatterSciNotation(minor_thresholds=(inf, inf))
+    )  # fmt: skip
+
+
 def label_ends(axes: Axes, names: Sequence[str], ends: Sequence[float]) -> None:
     """Name each line at the right edge, where it ends; names that would overlap are moved apart.
 
-    ends: the last values, in the data of axes whose place, limits and scale are final
+    ends: the last values, in the data of axes whose place, limits and scale are final. What ends
+    outside of the limits is named at their edge, in the order of the values; what has no last
+    value, NaN, at the bottom
     """
-    rows = axes.transAxes.inverted().transform(axes.transData.transform([(0.0, y) for y in ends]))
+    low, high = axes.get_ylim()
+    known = [-inf if isnan(end) else end for end in ends]
+    order = sorted(range(len(names)), key=known.__getitem__)
+    shown = [(0.0, min(max(known[i], low), high)) for i in order]
+    rows = axes.transAxes.inverted().transform(axes.transData.transform(shown))
     tall = axes.transAxes.transform((0, 1))[1] - axes.transAxes.transform((0, 0))[1]
     gap = LETTER * GAP * axes.figure.dpi / 72 / tall
-    inside = [min(max(float(y), 0.0), 1.0) for y in rows[:, 1]]
-    for index, (name, y) in enumerate(zip(names, apart(inside, gap), strict=True)):
-        axes.annotate(name, (1.015, y), xycoords="axes fraction", va="center", fontsize=LETTER,
-                      color=line(index)["color"], annotation_clip=False)  # fmt: skip
+    for i, y in zip(order, apart([float(y) for y in rows[:, 1]], gap), strict=True):
+        axes.annotate(names[i], (1.015, y), xycoords="axes fraction", va="center",
+                      fontsize=LETTER, color=line(i)["color"], annotation_clip=False)  # fmt: skip
 
 
 def apart(wanted: Sequence[float], gap: float) -> list[float]:
-    """Places as near as can be to the wanted ones in 0 to 1, in their order, a gap apart."""
-    order = sorted(range(len(wanted)), key=lambda i: wanted[i])
-    groups: list[list[int]] = []
-    for i in order:
-        groups.append([i])
-        while len(groups) > 1 and _start(groups[-1], wanted, gap) < gap + _end(
-            groups[-2], wanted, gap
-        ):
+    """Places as near as can be to the wanted ones, which rise, a gap apart.
+
+    All are half a gap or more inside 0 to 1, so that names stand beside their axes; what does not
+    fit stands over at the top.
+    """
+    groups: list[list[float]] = []
+    for place in wanted:
+        groups.append([place])
+        while len(groups) > 1 and _start(groups[-1], gap) < gap + _end(groups[-2], gap):
             groups[-2:] = [groups[-2] + groups[-1]]
-    places = [0.0] * len(wanted)
-    for group in groups:
-        for rank, i in enumerate(group):
-            places[i] = _start(group, wanted, gap) + rank * gap
-    return places
+    return [_start(group, gap) + rank * gap for group in groups for rank in range(len(group))]
 
 
-def _start(group: list[int], wanted: Sequence[float], gap: float) -> float:
+def _start(group: list[float], gap: float) -> float:
     """Where a group of names begins that stand a gap apart about the middle of their places."""
     long = gap * (len(group) - 1)
-    middle = sum(wanted[i] for i in group) / len(group)
-    return max(min(middle - long / 2, 1.0 - long), 0.0)
+    middle = sum(group) / len(group)
+    return max(min(middle - long / 2, 1.0 - gap / 2 - long), gap / 2)
 
 
-def _end(group: list[int], wanted: Sequence[float], gap: float) -> float:
-    return _start(group, wanted, gap) + gap * (len(group) - 1)
+def _end(group: list[float], gap: float) -> float:
+    return _start(group, gap) + gap * (len(group) - 1)

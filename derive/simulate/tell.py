@@ -13,23 +13,26 @@ from derive.control.motion import measure
 from derive.lie.group import Group
 from derive.simulate.flight import Flight
 from derive.simulate.invariant import Invariant, facts
+from derive.simulate.pilot import REFUSED
+from derive.simulate.plain import plain
+from derive.simulate.reading import settled_instant, settling
 from derive.simulate.runs import Setting
 
 SCHEMA = 1
 SAMPLES = 1000  # of a trajectory, at most; the first and the last are kept
 THRESHOLDS = (1e-2, 1e-4, 1e-6)
 KEPT = ("t", "g", "nu", "g_r", "nu_r", "height", "nu_e", "s", "force", "energy", "status")
-REFUSED = 16  # the first status whose command is zero
 
 
 def figures(flight: Flight, crossings: int, settle: float) -> dict[str, float | None]:
     """What a run comes to, by name; None where it does not settle.
 
-    settle: what both the height and |nu_e| have to stay at or below, as in a sweep
+    settle: what both the height and |nu_e| have to stay at or below; told by instants, as in a
+            sweep, while the height alone is told between them, as for the paper's scenarios
     """
     both = np.maximum(flight.height, flight.rate_error())
-    settled = {f"settled, both to {settle:g}": flight.settled(both, settle)}
-    settled |= {f"settled to {one:g}": flight.settled(flight.height, one) for one in THRESHOLDS}
+    settled = {f"settled, both to {settle:g}": settled_instant(flight.t, both, settle)}
+    settled |= {f"settled to {one:g}": settling(flight, flight.height, one) for one in THRESHOLDS}
     return {
         "first height": float(flight.height[0]),
         "last height": float(flight.height[-1]),
@@ -83,7 +86,7 @@ def as_json(
         "invariants": facts(watched),
         "trajectory": samples,
     }  # fmt: skip
-    return json.dumps(_plain(whole), indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(plain(whole), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _units(group: Group) -> dict[str, str]:
@@ -94,14 +97,3 @@ def _units(group: Group) -> dict[str, str]:
         "height": measure(group).unit, "nu_e": speed, "s": speed, "force": force,
         "energy": f"({force}) sqrt(s)", "status": "1",
     }  # fmt: skip
-
-
-def _plain(value: Any) -> Any:
-    """JSON has no infinity and no NaN."""
-    if isinstance(value, dict):
-        return {key: _plain(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(one) for one in value]
-    if isinstance(value, float) and not np.isfinite(value):
-        return None
-    return value

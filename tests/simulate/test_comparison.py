@@ -140,6 +140,20 @@ def test_the_tables_of_the_documents_are_the_measured_ones(compared: Comparison)
     assert claim_table.brief(compared.claims) in readme
 
 
+def test_every_table_says_which_form_of_lsf_it_judges(compared: Comparison) -> None:
+    assert {one.claim.name for one in compared.claims if one.differs} == {
+        "equal energy",
+        "together",
+    }
+    head, _, *rows = claim_table.brief(compared.claims).splitlines()
+    assert "LSF as printed" in head
+    assert "LSF as printed" in claim_table.markdown(compared.claims).splitlines()[0]
+    assert "LSF as printed" in claim_table.text(compared.claims).splitlines()[0]
+    for one, row in zip(compared.claims, rows, strict=True):
+        other = f"{one.printed.verdict}; with LSF corrected: {one.corrected.verdict} |"
+        assert row.endswith(other if one.differs else f"| {one.printed.verdict} |")
+
+
 @pytest.mark.parametrize("name", ["scenario1.svg", "scenario1_s.svg", "scenario1_axis.svg"])
 def test_the_documents_pictures_are_there(name: str) -> None:
     assert (ROOT / "docs" / name).stat().st_size > 10_000

@@ -13,7 +13,7 @@ from derive.comparison import Comparison
 from derive.simulate.claim import CLAIMS
 from derive.simulate.digest import SETTLED, figures
 
-SIZES = {"g": 9, "nu": 3, "s": 3, "force": 3}
+SIZES = {"g": 9, "nu": 3, "g_r": 9, "s": 3, "force": 3}
 
 
 def refuse(word: str) -> float:

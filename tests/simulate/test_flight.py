@@ -17,6 +17,7 @@ from derive.simulate.flight import Flight, recorded
 from derive.simulate.loop import Body, Loop
 from derive.simulate.pace import longest
 from derive.simulate.pilot import Command, Pilot
+from derive.simulate.reading import settled_instant
 from derive.simulate.reference import Reference, rest, slew, steady, tabled
 from derive.simulate.runs import Runs, Setting
 from tests.simulate.plain import Plain, craft, runs
@@ -274,8 +275,4 @@ def test_what_is_recorded_is_every_instant() -> None:
     ],
 )
 def test_settled_is_for_good(values: list[float], found: float | None) -> None:
-    asked = setting(1.0, seconds=3.0)
-    (flown,) = recorded(
-        Loop(craft("SO3"), "numpy", reference("slew", "SO3"), asked, runs(craft("SO3"))).moments()
-    )
-    assert flown.settled(np.array(values), 0.1) == found
+    assert settled_instant(np.arange(4.0), np.array(values), 0.1) == found

@@ -13,6 +13,7 @@ from derive.simulate.claim import CLAIMS, Claim, judged
 from derive.simulate.flight import Flight
 from derive.simulate.judge import (
     AT_ONE,
+    AT_SOME,
     NOT,
     NOT_AT_ONE,
     PSI,
@@ -23,7 +24,7 @@ from derive.simulate.judge import (
     order,
     search,
 )
-from derive.simulate.reading import settled, settling, swings, until
+from derive.simulate.reading import settled_between, settling, swings, until
 from derive.simulate.space import Array
 
 T = np.linspace(0.0, 40.0, 801)
@@ -45,7 +46,7 @@ def times(*falls: float) -> Mapping[str, Flight]:
 
 
 def test_settling_is_found_between_two_instants() -> None:
-    found = settled(T, falling(0.7).height, np.array([1.0, 1e-3, 1e-9, 1e-13]))
+    found = settled_between(T, falling(0.7).height, np.array([1.0, 1e-3, 1e-9, 1e-13]))
     np.testing.assert_allclose(found[:3], -np.log([1.0, 1e-3, 1e-9]) / 0.7, atol=1e-12)
     assert np.isnan(found[3])
 
@@ -107,13 +108,29 @@ def test_a_gap_that_never_changes_is_reproduced() -> None:
     ("last", "verdict"),
     [
         (falling(0.5), REPRODUCED),
-        (falling(2.0, since=4.0), AT_ONE),
+        (falling(2.0, since=4.0), AT_SOME),
         (falling(2.0), NOT),
         (falling(0.0), NOT),
     ],
 )
 def test_an_order_is_judged_over_all_thresholds(last: Flight, verdict: str) -> None:
     assert order(PSI, ("pd_plus",))(three(falling(1.0), falling(1.0), last)).verdict == verdict
+
+
+def test_how_many_thresholds_an_order_holds_at_is_told() -> None:
+    late = three(falling(1.0), falling(1.0), falling(2.0, since=4.0))  # until both are at exp(-8)
+    some = order(PSI, ("pd_plus",))(late)
+    count = int((PSI.thresholds > np.exp(-8.0)).sum())
+    assert some.measured.endswith(f"holds at {count} of 401 thresholds")
+    every = order(PSI, ("pd_plus",))(three(falling(1.0), falling(1.0), falling(0.9)))
+    assert every.measured.endswith("holds at all 401 thresholds")
+
+
+def test_what_is_allowed_is_told_beside_what_it_is_off_by() -> None:
+    found = search(PSI, (10.0, 10.0, 12.0), 0.25)(times(1.0, 1.0, 0.5))
+    off = max(abs(x - said) for x, said in zip(found.numbers, (10, 10, 12), strict=True))
+    assert found.measured.endswith(f" s, off by {off:.2f} s at most, 0.25 allowed")
+    assert found.verdict == NOT_AT_ONE
 
 
 @pytest.mark.parametrize(("holds", "verdict"), [(True, REPRODUCED), (False, NOT)])
@@ -136,7 +153,7 @@ EXPECTED = {
     "10 s longer": AT_ONE, "last 1": REPRODUCED, "reaching": REPRODUCED,
     "oscillation": REPRODUCED, "following": REPRODUCED, "convergence 2": NOT_AT_ONE,
     "rate 2": NOT_AT_ONE, "together": AT_ONE, "5 s longer": AT_ONE, "5 s longer, rate": AT_ONE,
-    "last 2": AT_ONE, "less energy": REPRODUCED, "delays": NOT_AT_ONE,
+    "last 2": AT_SOME, "less energy": REPRODUCED, "delays": NOT_AT_ONE,
     "longest delay": REPRODUCED, "faster": REPRODUCED, "faster, rate": REPRODUCED,
     "more energy": REPRODUCED,
 }  # fmt: skip
@@ -175,6 +192,7 @@ BENT = [
     ("reaching", "gsmc", shaken),
     ("oscillation", "lsf_printed", still),
     ("following", "pd_plus", shaken),
+    ("last 2", "pd_plus", lambda one: slowed(one, 0.1)),
     ("together", "lsf_printed", lambda one: slowed(one, 0.5)),
     ("less energy", "gsmc", lambda one: stronger(one, 1.1)),
     ("delays", "lsf_printed", lambda one: slowed(one, 0.9)),
