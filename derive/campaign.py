@@ -18,6 +18,7 @@ from derive.demand import backend_of
 from derive.flight import craft, overridden, setting_of, spread_of
 from derive.simulate import executor, summary, table
 from derive.simulate.chunk import CannotFly, Plan, Rows, lean
+from derive.simulate.cluster import Cluster
 from derive.simulate.executor import Chunk, Crew
 from derive.vehicle import InputError, Vehicle
 
@@ -163,7 +164,7 @@ def flown(sweep: Sweep, crew: Crew, progress: Callable[[str], object]) -> Rows:
             done += chunk[1] - chunk[0]
             progress(_progress(done, total, monotonic() - start))
     except (executor.WorkersLost, CannotFly) as fault:
-        raise _lost(sweep, fault) from fault
+        raise _lost(sweep, crew, fault) from fault
     return sweep.rows()
 
 
@@ -225,13 +226,17 @@ def _refuse_other(file: Path, wanted: Mapping[str, Any]) -> None:
                              remedy)  # fmt: skip
 
 
-def _lost(sweep: Sweep, fault: Exception) -> InputError:
+def _lost(sweep: Sweep, crew: Crew, fault: Exception) -> InputError:
     """What to say when nobody can fly on."""
     count = f"{len(sweep.kept)} of {len(sweep.chunks)} chunks are kept"
+    found = str(fault).splitlines()[0]
     if isinstance(fault, CannotFly):
-        expected = f"a C compiler that builds the emitted code on every worker; {count}"
+        key, expected = "--backend", "a C compiler that builds the emitted code on every worker"
         remedy = "install gcc or clang there, or fly --backend numpy"
-        return InputError(str(sweep.out), "--backend", expected, str(fault).splitlines()[0], remedy)
-    remedy = "go on with --resume; fewer --workers, or a smaller --chunk, need less memory"
-    return InputError(str(sweep.out), "--workers", f"workers that stay alive; {count}", str(fault),
-                      remedy)  # fmt: skip
+    elif isinstance(crew, Cluster):
+        key, expected = "--cluster", "a scheduler and workers that stay alive"
+        remedy = "start them again, then go on with --resume"
+    else:
+        key, expected = "--workers", "workers that stay alive"
+        remedy = "go on with --resume; fewer --workers, or a smaller --chunk, need less memory"
+    return InputError(str(sweep.out), key, f"{expected}; {count}", found, remedy)

@@ -9,7 +9,8 @@ from importlib.util import find_spec
 from derive.campaign import Sweep, save
 from derive.demand import PLACE
 from derive.simulate.chunk import Rows
-from derive.simulate.executor import Alone, Cluster, Crew, Processes
+from derive.simulate.cluster import Cluster
+from derive.simulate.executor import Alone, Crew, Processes
 from derive.simulate.style import is_drawable
 from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import FORMATS
@@ -43,7 +44,7 @@ def hired(cluster: str | None, workers: int) -> Crew:
         return Cluster(cluster)
     except (OSError, ValueError) as fault:
         expected = "the address of a Dask scheduler that has workers"
-        found = f"{cluster}: {str(fault).splitlines()[0] if str(fault) else type(fault).__name__}"
+        found = f"{cluster!r}: {str(fault).splitlines()[0] if str(fault) else type(fault).__name__}"
         remedy = "start one with `dask scheduler` and `dask worker`, or leave --cluster out"
         raise InputError(PLACE, "--cluster", expected, found, remedy) from fault
 

@@ -95,7 +95,7 @@ THIRD_PARTY = {
     "derive.simulate.picture": ("matplotlib", "numpy"),
     "derive.simulate.sphere": ("matplotlib", "numpy"),
     "derive.simulate.style": ("matplotlib",),
-    "derive.simulate.executor": ("distributed",),
+    "derive.simulate.cluster": ("distributed",),
     "derive.simulate.table": ("numpy", "pyarrow"),
     "derive.cli": ("click",),
 }

@@ -19,7 +19,8 @@ from derive import campaign, crew, folder, simulation
 from derive.crew import let_go
 from derive.simulate import executor, table
 from derive.simulate.chunk import Plan, Rows, fly, fly_seeds
-from derive.simulate.executor import Alone, Chunk, Cluster, Crew, Processes
+from derive.simulate.cluster import Cluster
+from derive.simulate.executor import Alone, Chunk, Crew, Processes
 from derive.simulate.summary import summary
 from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import csv

@@ -44,6 +44,9 @@ WRONG = [
     (("--cluster", "tcp://127.0.0.1:9"), "--cluster", "tcp://127.0.0.1:9"),
     (("--cluster", "nowhere"), "--cluster", "nowhere"),
     (("--cluster", "carrier://pigeon"), "--cluster", "carrier"),
+    (("--cluster", "http://foo:bar"), "--cluster", "not tcp://HOST:PORT"),
+    (("--cluster", "tcp://:8786"), "--cluster", "names no host"),
+    (("--cluster", ""), "--cluster", "''"),
 ]
 
 
