@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
 
-from derive.campaign import Sweep, save
 from derive.demand import PLACE
 from derive.simulate.chunk import Rows
 from derive.simulate.cluster import Cluster
@@ -14,6 +13,7 @@ from derive.simulate.executor import Alone, Crew, Processes
 from derive.simulate.style import is_drawable
 from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import FORMATS
+from derive.sweep_folder import Sweep
 from derive.vehicle import InputError
 
 EXTRA = "pip install 'gsmc-derive[{}]'"
@@ -67,5 +67,5 @@ def drawn(rows: Rows, sweep: Sweep) -> str:
     craft = sweep.plan.craft
     title = f"{craft.name}: {craft.controller} on {craft.group}, {len(rows['run'])} runs"
     for name, data in pictures(rows, title).items():
-        save(sweep.out / name, data)
+        sweep.save(sweep.out / name, data)
     return ""

@@ -26,6 +26,7 @@ LAYER = {
     "derive.flight": "derive.pipeline",
     "derive.comparison": "derive.pipeline",
     "derive.simulation": "derive.pipeline",
+    "derive.sweep_folder": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_loop": "derive.cli",
     "derive.cli_simulate": "derive.cli",
@@ -61,7 +62,7 @@ OWN = {
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
         *("derive.campaign", "derive.comparison", "derive.crew", "derive.demand", "derive.flight"),
-        "derive.simulation",
+        *("derive.simulation", "derive.sweep_folder"),
         "derive.vehicle",
     ),
 }

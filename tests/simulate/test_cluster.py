@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -72,7 +73,7 @@ def dask(tmp_path: Path) -> Iterator[Dask]:
 def test_a_cluster_that_dies_is_told_and_what_came_back_is_kept(
     victim: str, said: str, dask: Dask, tmp_path: Path
 ) -> None:
-    given = {"runs": 400, "chunk": 4, "seconds": 4.0}
+    given: dict[str, Any] = {"runs": 400, "chunk": 4, "seconds": 4.0}
     sweep = campaign.opened(plan(**given), asked(**given), tmp_path / "out", "csv", False)
     ended: list[float] = []
 

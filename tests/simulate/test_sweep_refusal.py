@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from derive import cli
+from derive import cli, sweep_folder
 from tests.command import MESSAGE, ROOT
 
 VEHICLE = str(ROOT / "vehicles" / "paper_so3.toml")
@@ -113,6 +113,44 @@ def test_a_whole_sweep_is_not_flown_again(
     assert cli.run([*line, "--resume"]) == 0
     assert "whole already" in capsys.readouterr().out
     assert stamps(tmp_path / "out") == before
+
+
+def test_a_whole_sweep_is_written_in_another_format(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    line = ["sweep", VEHICLE, "--no-cache", *FLY, "--out"]
+    for out, form in (("first", "csv"), ("second", "parquet")):
+        assert cli.run([*line, str(tmp_path / out), "--format", form]) == 0
+    for out, form in (("first", "parquet"), ("second", "csv")):
+        assert cli.run([*line, str(tmp_path / out), "--format", form, "--resume"]) == 0
+        assert f"results.{form} from " in capsys.readouterr().out
+    for form in ("csv", "parquet"):
+        same = [(tmp_path / out / f"results.{form}").read_bytes() for out in ("first", "second")]
+        assert same[0] == same[1]
+
+
+@pytest.mark.parametrize("rows", [b"", b"run,seed\n1\n", b"run\n0\n1\n", b"\xff"], ids=str)
+def test_results_that_cannot_be_read_are_not_written_in_another_format(
+    rows: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    assert (
+        cli.run(["sweep", VEHICLE, "--no-cache", *FLY, "--out", str(out), "--format", "csv"]) == 0
+    )
+    capsys.readouterr()
+    (out / "results.csv").write_bytes(rows)
+    assert "results.csv" in refused(capsys, "--out", str(out), "--resume", "--format", "parquet")
+    assert not (out / "results.parquet").exists()
+
+
+def test_a_folder_that_another_call_flies_into_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    with sweep_folder.alone(out):
+        assert "no other call" in refused(capsys, "--out", str(out))
+        assert not list(out.iterdir())
+    assert cli.run(["sweep", VEHICLE, "--no-cache", *FLY, "--out", str(out)]) == 0
 
 
 def stamps(folder: Path) -> dict[str, int]:
