@@ -15,10 +15,11 @@ from typing import Any
 from derive import __version__
 from derive.course import course
 from derive.demand import backend_of
-from derive.flight import craft, overridden, setting_of, spread_of
+from derive.flight import ROOM, craft, overridden, setting_of, spread_of
 from derive.simulate import executor, summary
 from derive.simulate.chunk import CannotFly, Plan, Rows, lean
 from derive.simulate.cluster import Cluster
+from derive.simulate.craft import NoRoom
 from derive.simulate.executor import Crew
 from derive.sweep_folder import SUMMARY, Sweep, alone, as_json, refuse
 from derive.vehicle import InputError, Vehicle
@@ -48,14 +49,17 @@ def plan(vehicle: Vehicle, cached: Path | None, asked: Asked) -> Plan:
     """The vehicle and the command line as what a worker needs. Raises InputError."""
     one = overridden(vehicle, asked.given)
     made = craft(one, cached)
-    rated = [overridden(one, {"rate": rate}) for rate in asked.rates] or [one]
+    rated: list[dict[str, Any]] = [{"rate": rate} for rate in asked.rates] or [{}]
     followed = course(one, made)
     return Plan(
         craft=lean(made),
         backend=backend_of(asked.backend),
         course=followed,
-        settings=tuple(setting_of(each, made, followed.reference()) for each in rated),
-        spread=spread_of(one, asked.box, asked.speed),
+        settings=tuple(
+            setting_of(overridden(one, rate), {**asked.given, **rate}, made, followed.reference())
+            for rate in rated
+        ),
+        spread=spread_of(one, asked.given, asked.box, asked.speed),
         settle=asked.settle,
         root=asked.seed,
     )
@@ -111,7 +115,7 @@ def flown(sweep: Sweep, crew: Crew, progress: Callable[[str], object]) -> Rows:
             sweep.keep(chunk, rows)
             done += chunk[1] - chunk[0]
             progress(_progress(done, total, monotonic() - start))
-    except (executor.WorkersLost, CannotFly) as fault:
+    except (executor.WorkersLost, CannotFly, NoRoom) as fault:
         raise _lost(sweep, crew, fault) from fault
     return sweep.rows()
 
@@ -136,14 +140,22 @@ def _digest(value: object) -> str:
 
 def _lost(sweep: Sweep, crew: Crew, fault: Exception) -> InputError:
     """What to say when nobody can fly on."""
+    cause = type(fault) if type(fault) in CAUSES else type(crew)
+    key, expected, remedy = CAUSES.get(cause, OTHER)
     found = str(fault).splitlines()[0]
-    if isinstance(fault, CannotFly):
-        key, expected = "--backend", "a C compiler that builds the emitted code on every worker"
-        remedy = "install gcc or clang there, or fly --backend numpy"
-    elif isinstance(crew, Cluster):
-        key, expected = "--cluster", "a scheduler and workers that stay alive"
-        remedy = "start them again, then go on with --resume"
-    else:
-        key, expected = "--workers", "workers that stay alive"
-        remedy = "go on with --resume; fewer --workers, or a smaller --chunk, need less memory"
     return InputError(str(sweep.out), key, f"{expected}; {sweep.count}", found, remedy)
+
+
+CAUSES = {
+    CannotFly: ("--backend", "a C compiler that builds the emitted code on every worker",
+                "install gcc or clang there, or fly --backend numpy"),
+    NoRoom: ("TMPDIR", "a folder for temporary files that takes some megabytes, on every worker",
+             f"{ROOM}; go on with --resume"),
+    Cluster: ("--cluster", "a scheduler and workers that stay alive",
+              "start them again, then go on with --resume"),
+}  # fmt: skip
+OTHER = (
+    *("--workers", "workers that stay alive"),
+    "go on with --resume; fewer --workers, or a smaller --chunk, need less memory",
+)
+"""What stopped a sweep -> the option to blame, what it expects, what to do."""

@@ -75,6 +75,7 @@ class Comparison:
                               self.flights[number], self.claims, self.differences)  # fmt: skip
 
 
+@flight.roomy()
 def scenarios(
     vehicle: Vehicle, cached: Path | None, numbers: Sequence[int], backend: str, show: Progress
 ) -> Comparison:

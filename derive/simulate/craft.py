@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 
 from derive.lie.catalogue import named
 from derive.lie.group import Group
 from derive.lie.own import of_basis
 
 Basis = tuple[tuple[tuple[Fraction, ...], ...], ...]
+
+
+class NoRoom(Exception):
+    """The temporary folder cannot take what has to be unpacked and built there; says which."""
+
 
 _KEPT: list[TemporaryDirectory[str]] = []
 
@@ -52,9 +59,18 @@ def group_of(craft: Craft) -> Group:
     return of_basis(craft.group, craft.own, craft.units)
 
 
+@contextmanager
+def unpacked(craft: Craft) -> Iterator[Path]:
+    """Its folder, to build in. Raises NoRoom where that cannot be written to."""
+    try:
+        yield folder_of(craft)
+    except OSError as fault:
+        raise NoRoom(f"{fault.strerror or fault}: {gettempdir()}") from fault
+
+
 @cache
 def folder_of(craft: Craft) -> Path:
-    """A folder that holds its emitted files while this process lives."""
+    """A folder that holds its emitted files while this process lives; OSError."""
     holder = TemporaryDirectory(prefix="derive-")
     _KEPT.append(holder)
     root = Path(holder.name)

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import os
 import time
+from dataclasses import replace
+from errno import ENOSPC
 from pathlib import Path
+from tempfile import gettempdir
+from typing import Any
 
 import pytest
 
-from derive import cli, sweep_folder
+from derive import campaign, cli, sweep_folder
+from derive.simulate import craft, pilot
+from derive.vehicle import InputError, load
 from tests.command import MESSAGE, ROOT
+from tests.simulate import crafts
 
 VEHICLE = str(ROOT / "vehicles" / "paper_so3.toml")
 FLY = ("--runs", "2", "--duration", "0.1", "--rate", "100", "--backend", "numpy", "--workers", "1")
@@ -22,7 +30,10 @@ WRONG = [
     (("--duration", "long"), "--duration", "long"),
     (("--rate", "inf"), "--rate", "inf"),
     (("--rate", "-1"), "--rate", "-1"),
-    (("--rate", "0.5"), "rate", "at least one period"),
+    (("--rate", "0.5"), "--rate", "at least one period"),
+    (("--wave", "0.1"), "--wave", "a frequency"),
+    (("--hertz", "0", "--wave", "0.1"), "--hertz", "a frequency"),
+    (("--step", "1e-6", "--rate", "0.1", "--duration", "90"), "--duration", "1000000 steps"),
     (("--noise-g", "-0.1"), "--noise-g", "-0.1"),
     (("--noise-g", "nan"), "--noise-g", "nan"),
     (("--noise-nu", "x"), "--noise-nu", "x"),
@@ -35,7 +46,7 @@ WRONG = [
     (("--settle", "0"), "--settle", "above 0"),
     (("--box", "-1"), "--box", "-1"),
     (("--speed", "nan"), "--speed", "nan"),
-    (("--inertia-error", "1"), "inertia_error", "less than 1"),
+    (("--inertia-error", "1"), "--inertia-error", "less than 1"),
     (("--disturbance", "1,2"), "--disturbance", "2 numbers"),
     (("--force-limit", "0"), "--force-limit", "above 0"),
     (("--backend", "f16"), "--backend", "f16"),
@@ -66,9 +77,49 @@ def test_it_is_told(
     given: tuple[str, ...], key: str, found: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     said = refused(capsys, "--out", str(tmp_path / "out"), *given)
-    assert key in said.splitlines()[0]
+    assert said.splitlines()[0].endswith(f": {key}")
+    assert said.startswith("command line: ") or key == "--resume"
     assert found in said
     assert not list(tmp_path.iterdir())
+
+
+FILED = [
+    ("inertia_error = 1.5", "simulate.inertia_error"),
+    ("rate = 0.5\nseconds = 1", "simulate.rate"),
+    ("noise_g = 0.01", "simulate.rate"),
+    ("wave = [1, 1, 1]", "simulate.hertz"),
+]
+
+
+@pytest.mark.parametrize(("written", "key"), FILED)
+def test_what_a_file_says_is_told_of_the_file(written: str, key: str, tmp_path: Path) -> None:
+    file = tmp_path / "body.toml"
+    file.write_text(f"{Path(VEHICLE).read_text()}\n[simulate]\n{written}\n")
+    with pytest.raises(InputError) as caught:
+        campaign.plan(load(file), None, replace(crafts.asked(rates=()), given={}))
+    assert str(caught.value).splitlines()[0] == f"{file}: {key}"
+
+
+def test_a_full_temporary_folder_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain = Path.write_text
+
+    def full(path: Path, *given: Any, **more: Any) -> int:
+        if "derive-" in str(path):
+            raise OSError(ENOSPC, os.strerror(ENOSPC), str(path))
+        return plain(path, *given, **more)
+
+    craft.folder_of.cache_clear()
+    pilot._module.cache_clear()
+    monkeypatch.setattr(Path, "write_text", full)
+    said = refused(capsys, "--out", str(tmp_path / "out"), "--seed", "9")
+    assert f"No space left on device: {gettempdir()}" in said
+    assert "TMPDIR" in said
+    assert "0 of 1 chunks are kept" in said
+    line = ["simulate", VEHICLE, "--no-cache", "--duration", "0.1", "--backend", "numpy"]
+    assert cli.run([*line, "--out", str(tmp_path / "one")]) == 2
+    assert capsys.readouterr().err.startswith("TMPDIR")
 
 
 def test_a_folder_that_holds_something_is_refused(
