@@ -65,7 +65,8 @@ def drawn(rows: Rows, sweep: Sweep) -> str:
     if not is_drawable():
         return f"no pictures: matplotlib is not installed; {EXTRA.format('plot')}"
     craft = sweep.plan.craft
-    title = f"{craft.name}: {craft.controller} on {craft.group}, {len(rows['run'])} runs"
-    for name, data in pictures(rows, title).items():
+    title = f"{craft.name}: {craft.controller} on {craft.group}"
+    seconds = max(one.seconds for one in sweep.plan.settings)
+    for name, data in pictures(rows, title, seconds).items():
         sweep.save(sweep.out / name, data)
     return ""

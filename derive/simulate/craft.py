@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from errno import ENOSPC
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -13,7 +15,9 @@ from tempfile import TemporaryDirectory, gettempdir
 from derive.lie.catalogue import named
 from derive.lie.group import Group
 from derive.lie.own import of_basis
+from derive.native.compile import CompileError
 
+FULL = os.strerror(ENOSPC)  # as a compiler says it too
 Basis = tuple[tuple[tuple[Fraction, ...], ...], ...]
 
 
@@ -66,6 +70,10 @@ def unpacked(craft: Craft) -> Iterator[Path]:
         yield folder_of(craft)
     except OSError as fault:
         raise NoRoom(f"{fault.strerror or fault}: {gettempdir()}") from fault
+    except CompileError as fault:
+        if FULL not in fault.stderr:
+            raise
+        raise NoRoom(f"{FULL}: {gettempdir()}") from fault
 
 
 @cache

@@ -177,13 +177,13 @@ def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
 @pytest.mark.parametrize(("group", "settle"), [("SO3", 0.3), ("R3", 1e-9)])
 def test_pictures_are_drawn_of_any_outcome(group: str, settle: float) -> None:
     rows = fly(plan(group, settle=settle, seconds=1.0, rates=(10.0,)), 0, 20)
-    drawn = pictures(rows, "some")
+    drawn = pictures(rows, "some", 1.0)
     assert {*drawn} == {f"{name}.{form}" for name in ("settling_time", "success_map")
                         for form in ("png", "svg")}  # fmt: skip
     assert drawn["success_map.png"].startswith(b"\x89PNG")
-    assert drawn == pictures(rows, "some")
+    assert drawn == pictures(rows, "some", 1.0)
     other = {**rows, "settled": ~rows["settled"], "settling_time": np.ones(20)}
-    assert drawn["success_map.svg"] != pictures(other, "some")["success_map.svg"]
+    assert drawn["success_map.svg"] != pictures(other, "some", 1.0)["success_map.svg"]
 
 
 def test_the_summary_is_what_the_rows_say() -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from derive import campaign, cli, sweep_folder
+from derive.native.compile import CompileError
 from derive.simulate import craft, pilot
 from derive.vehicle import InputError, load
 from tests.command import MESSAGE, ROOT
@@ -120,6 +121,13 @@ def test_a_full_temporary_folder_is_named(
     line = ["simulate", VEHICLE, "--no-cache", "--duration", "0.1", "--backend", "numpy"]
     assert cli.run([*line, "--out", str(tmp_path / "one")]) == 2
     assert capsys.readouterr().err.startswith("TMPDIR")
+
+
+def test_a_compiler_that_finds_no_room_is_no_broken_compiler() -> None:
+    one = crafts.craft("SO3")
+    for told, kind in ((f"x.o: {os.strerror(ENOSPC)}", craft.NoRoom), ("x.c:1", CompileError)):
+        with pytest.raises(kind), craft.unpacked(one):
+            raise CompileError(["cc"], told)
 
 
 def test_a_folder_that_holds_something_is_refused(
