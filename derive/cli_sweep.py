@@ -79,7 +79,7 @@ def sweep(
     """Monte Carlo: many runs from drawn starts with drawn errors; figures of each and of all."""
     from derive import campaign, crew, sweep_folder
 
-    form = crew.form_of(form)
+    wanted = crew.form_of(form)
     (vehicle,) = loaded((file,))
     given = {key: said[key] for key in said if key not in OWN and said[key] is not None}
     asked = campaign.Asked(**{key: said[key] for key in OWN}, given=given)
@@ -88,9 +88,9 @@ def sweep(
         show("deriving")
         plan = campaign.plan(vehicle, cache(no_cache), asked)
         hands = crew.hired(cluster, workers or _cores())
-        with crew.let_go(hands), campaign.held(plan, asked, out, form, resume) as opened:
+        with crew.let_go(hands), campaign.held(plan, asked, out, wanted, resume) as opened:
             if opened.whole:
-                return _again(opened, opened.whole)
+                return _again(opened, opened.whole, is_asked=form is not None)
             rows = campaign.flown(opened, hands, show)
             show("results")
             found, text = campaign.told(rows, opened)
@@ -109,9 +109,9 @@ def sweep(
     return 0
 
 
-def _again(opened: Sweep, there: Path) -> int:
-    """A sweep that an earlier call has flown: nothing is to do but another format."""
-    if there == opened.results:
+def _again(opened: Sweep, there: Path, is_asked: bool) -> int:
+    """A sweep that an earlier call has flown: nothing is to do but a format that is asked for."""
+    if there == opened.results or not is_asked:
         click.echo(f"{there} is whole already")
     else:
         opened.rewrite(there)

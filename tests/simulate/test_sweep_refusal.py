@@ -171,6 +171,9 @@ def test_a_whole_sweep_is_not_flown_again(
     before = stamps(tmp_path / "out")
     assert cli.run([*line, "--resume"]) == 0
     assert "whole already" in capsys.readouterr().out
+    without = [word for word in line if word not in ("--format", "csv")]
+    assert cli.run([*without, "--resume"]) == 0
+    assert "results.csv is whole already" in capsys.readouterr().out
     assert stamps(tmp_path / "out") == before
 
 
