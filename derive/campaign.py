@@ -1,27 +1,28 @@
-"""The route of a sweep: what it is defined by, its folder, and going on where it stopped."""
+"""The route of a sweep: what it is defined by, its flight, and what is said of it."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 import math
-import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from derive import __version__, folder, place
+from derive import __version__
 from derive.course import course
 from derive.demand import backend_of
-from derive.flight import craft, overridden, setting_of, spread_of
-from derive.simulate import executor, summary, table
+from derive.flight import ROOM, craft, overridden, setting_of, spread_of
+from derive.simulate import executor, summary
 from derive.simulate.chunk import CannotFly, Plan, Rows, lean
-from derive.simulate.executor import Chunk, Crew
+from derive.simulate.cluster import Cluster
+from derive.simulate.craft import NoRoom
+from derive.simulate.executor import Crew
+from derive.sweep_folder import SUMMARY, Sweep, alone, as_json, refuse
 from derive.vehicle import InputError, Vehicle
-
-DEFINITION, CHUNKS, SUMMARY = "sweep.json", "chunks", "summary.json"
 
 
 @dataclass(frozen=True)
@@ -44,69 +45,21 @@ class Asked:
     chunk: int
 
 
-@dataclass(frozen=True)
-class Sweep:
-    """A sweep that can be flown: its plan, its chunks, and the folder of its results."""
-
-    plan: Plan
-    chunks: tuple[Chunk, ...]
-    definition: Mapping[str, Any]
-    out: Path
-    form: str
-
-    @property
-    def results(self) -> Path:
-        """The file of the rows, written last."""
-        return self.out / f"results.{self.form}"
-
-    @property
-    def whole(self) -> Path | None:
-        """The results, in whatever format, where an earlier call has come to the end."""
-        places = (self.out / f"results.{form}" for form in table.FORMATS)
-        return next((place for place in places if place.exists()), None)
-
-    @property
-    def kept(self) -> list[Chunk]:
-        """The chunks that an earlier call has finished."""
-        return [chunk for chunk in self.chunks if self._place(chunk).is_file()]
-
-    def keep(self, chunk: Chunk, rows: Rows) -> None:
-        """Write the rows of a chunk. Raises InputError."""
-        save(self._place(chunk), table.packed(rows))
-
-    def drop_damaged(self) -> None:
-        """Forget chunks that cannot be read; they are flown again."""
-        for chunk in self.kept:
-            rows = table.unpacked(self._place(chunk))
-            if rows is None or rows["run"].tolist() != list(range(*chunk)):
-                self._place(chunk).unlink()
-
-    def rows(self) -> Rows:
-        """All of them, in the order of the runs."""
-        parts = [table.unpacked(self._place(chunk)) for chunk in self.chunks]
-        return table.joined([part for part in parts if part is not None])
-
-    def finish(self, rows: Rows) -> None:
-        """Write the results, and drop what they were made of. Raises InputError."""
-        save(self.results, table.FORMATS[self.form](rows))
-        shutil.rmtree(self.out / CHUNKS, ignore_errors=True)
-
-    def _place(self, chunk: Chunk) -> Path:
-        return self.out / CHUNKS / f"{chunk[0] // self.chunks[0][1]:05}.npz"
-
-
 def plan(vehicle: Vehicle, cached: Path | None, asked: Asked) -> Plan:
     """The vehicle and the command line as what a worker needs. Raises InputError."""
     one = overridden(vehicle, asked.given)
     made = craft(one, cached)
-    rated = [overridden(one, {"rate": rate}) for rate in asked.rates] or [one]
+    rated: list[dict[str, Any]] = [{"rate": rate} for rate in asked.rates] or [{}]
     followed = course(one, made)
     return Plan(
         craft=lean(made),
         backend=backend_of(asked.backend),
         course=followed,
-        settings=tuple(setting_of(each, made, followed.reference()) for each in rated),
-        spread=spread_of(one, asked.box, asked.speed),
+        settings=tuple(
+            setting_of(overridden(one, rate), {**asked.given, **rate}, made, followed.reference())
+            for rate in rated
+        ),
+        spread=spread_of(one, asked.given, asked.box, asked.speed),
         settle=asked.settle,
         root=asked.seed,
     )
@@ -135,19 +88,19 @@ def defined(made: Plan, asked: Asked) -> dict[str, Any]:
 def opened(made: Plan, asked: Asked, out: Path, form: str, is_resumed: bool) -> Sweep:
     """The sweep with its folder made ready, or found again. Raises InputError."""
     wanted = defined(made, asked)
-    if is_resumed:
-        _refuse_other(out / DEFINITION, wanted)
-    else:
-        _refuse_taken(out)
-    cuts = range(0, asked.runs, asked.chunk)
-    chunks = tuple((first, min(first + asked.chunk, asked.runs)) for first in cuts)
-    sweep = Sweep(made, chunks, wanted, out, form)
+    refuse(out, wanted, is_resumed)
+    sweep = Sweep(made, asked.runs, asked.chunk, wanted, out, form)
     if not sweep.whole:
-        with place.told(out, "a folder that can be written to"):
-            (out / CHUNKS).mkdir(parents=True, exist_ok=True)
-        save(out / DEFINITION, (json.dumps(wanted, indent=1) + "\n").encode())
-        sweep.drop_damaged()
+        sweep.begin()
     return sweep
+
+
+@contextmanager
+def held(made: Plan, asked: Asked, out: Path, form: str, is_resumed: bool) -> Iterator[Sweep]:
+    """The same, with no other call in that folder meanwhile. Raises InputError."""
+    refuse(out, defined(made, asked), is_resumed)  # before a folder is made
+    with alone(out):
+        yield opened(made, asked, out, form, is_resumed)
 
 
 def flown(sweep: Sweep, crew: Crew, progress: Callable[[str], object]) -> Rows:
@@ -162,27 +115,16 @@ def flown(sweep: Sweep, crew: Crew, progress: Callable[[str], object]) -> Rows:
             sweep.keep(chunk, rows)
             done += chunk[1] - chunk[0]
             progress(_progress(done, total, monotonic() - start))
-    except (executor.WorkersLost, CannotFly) as fault:
-        raise _lost(sweep, fault) from fault
+    except (executor.WorkersLost, CannotFly, NoRoom) as fault:
+        raise _lost(sweep, crew, fault) from fault
     return sweep.rows()
 
 
-def save(path: Path, data: bytes) -> None:
-    """Write a file of the sweep whole or not at all. Raises InputError."""
-    with place.told(path, "a file that can be written to"):
-        folder.save_bytes(path, data)
-
-
-def told(rows: Rows, sweep: Sweep) -> dict[str, Any]:
-    """The summary, which is written as well. Raises InputError."""
+def told(rows: Rows, sweep: Sweep) -> tuple[dict[str, Any], str]:
+    """The summary, which is written as well, and the same for people. Raises InputError."""
     found = summary.summary(rows)
-    save(sweep.out / SUMMARY, (json.dumps(found, indent=1) + "\n").encode())
-    return found
-
-
-def text(found: Mapping[str, Any]) -> str:
-    """The summary for people."""
-    return summary.text(found)
+    sweep.save(sweep.out / SUMMARY, as_json(found))
+    return found, summary.text(found)
 
 
 def _progress(done: int, total: int, seconds: float) -> str:
@@ -196,42 +138,24 @@ def _digest(value: object) -> str:
     return hashlib.sha256(repr(value).encode()).hexdigest()
 
 
-def _refuse_taken(out: Path) -> None:
-    """Raise InputError for a folder that holds something."""
-    with place.told(out, "a folder, or none"):
-        if not out.exists() or not any(out.iterdir()):
-            return
-    is_ours = (out / DEFINITION).is_file()
-    found = "a sweep" if is_ours else "other files"
-    remedy = "go on with it by --resume, or choose another" if is_ours else "choose another"
-    raise InputError(str(out), "--out", "a folder that is empty, or not there", found, remedy)
-
-
-def _refuse_other(file: Path, wanted: Mapping[str, Any]) -> None:
-    """Raise InputError where the folder's sweep is not the one that is asked for."""
-    try:
-        kept = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        kept = None
-    if not isinstance(kept, dict):
-        remedy = "leave --resume out to begin one, or name its folder"
-        found = "no such file" if not file.exists() else "not readable as one"
-        raise InputError(str(file), "--resume", "the definition of a sweep", found, remedy)
-    for key in (*wanted, *kept):
-        asked, there = wanted.get(key), kept.get(key)
-        if asked != there:
-            remedy = "give the options of that sweep, or another --out"
-            raise InputError(str(file), key, f"{there}, as the sweep there has it", f"{asked}",
-                             remedy)  # fmt: skip
-
-
-def _lost(sweep: Sweep, fault: Exception) -> InputError:
+def _lost(sweep: Sweep, crew: Crew, fault: Exception) -> InputError:
     """What to say when nobody can fly on."""
-    count = f"{len(sweep.kept)} of {len(sweep.chunks)} chunks are kept"
-    if isinstance(fault, CannotFly):
-        expected = f"a C compiler that builds the emitted code on every worker; {count}"
-        remedy = "install gcc or clang there, or fly --backend numpy"
-        return InputError(str(sweep.out), "--backend", expected, str(fault).splitlines()[0], remedy)
-    remedy = "go on with --resume; fewer --workers, or a smaller --chunk, need less memory"
-    return InputError(str(sweep.out), "--workers", f"workers that stay alive; {count}", str(fault),
-                      remedy)  # fmt: skip
+    cause = type(fault) if type(fault) in CAUSES else type(crew)
+    key, expected, remedy = CAUSES.get(cause, OTHER)
+    found = str(fault).splitlines()[0]
+    return InputError(str(sweep.out), key, f"{expected}; {sweep.count}", found, remedy)
+
+
+CAUSES = {
+    CannotFly: ("--backend", "a C compiler that builds the emitted code on every worker",
+                "install gcc or clang there, or fly --backend numpy"),
+    NoRoom: ("TMPDIR", "a folder for temporary files that takes some megabytes, on every worker",
+             f"{ROOM}; go on with --resume"),
+    Cluster: ("--cluster", "a scheduler and workers that stay alive",
+              "start them again, then go on with --resume"),
+}  # fmt: skip
+OTHER = (
+    *("--workers", "workers that stay alive"),
+    "go on with --resume; fewer --workers, or a smaller --chunk, need less memory",
+)
+"""What stopped a sweep -> the option to blame, what it expects, what to do."""

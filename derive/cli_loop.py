@@ -16,6 +16,7 @@ else:
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 LARGEST_SEED = 2**63 - 1
+PLACE = "command line"  # of an option that cannot be used
 
 
 class Number(Kind):
@@ -34,15 +35,15 @@ class Number(Kind):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float | tuple[float, ...]:
         """The value as a float."""
-        return self._one(value, param, ctx)
+        return self._one(value, param)
 
-    def _one(self, value: Any, param: Any, ctx: Any) -> float:
+    def _one(self, value: Any, param: Any) -> float:
         found = _number(value)
         above = found > self.least if self.is_open else found >= self.least
         if above and found <= self.most:
             return found
         bound = f"above {self.least:g}" if self.is_open else f"from {self.least:g}"
-        raise refused(param, ctx, f"a number {bound} to {self.most:g}{self.unit}", str(value))
+        raise refused(param, f"a number {bound} to {self.most:g}{self.unit}", str(value))
 
 
 class Numbers(Number):
@@ -54,7 +55,7 @@ class Numbers(Number):
         """The values as floats."""
         if isinstance(value, tuple):
             return value
-        return tuple(self._one(word, param, ctx) for word in str(value).split(","))
+        return tuple(self._one(word, param) for word in str(value).split(","))
 
 
 class Count(Kind):
@@ -73,19 +74,18 @@ class Count(Kind):
             found = int(word)
             if self.least <= found <= self.most:
                 return found
-        raise refused(param, ctx, f"a whole number from {self.least} to {self.most}", word)
+        raise refused(param, f"a whole number from {self.least} to {self.most}", word)
 
 
-def refused(param: Any, ctx: Any, expected: str, found: str) -> Exception:
+def refused(param: Any, expected: str, found: str) -> Exception:
     """The InputError of an option's value."""
     from derive.vehicle import InputError
 
-    place = ctx.command_path if ctx else "command line"
     option = max(param.opts, key=len) if param else ""
     fallback = None if param is None else param.default
     plain = isinstance(fallback, int | float | str) and not isinstance(fallback, bool)
     remedy = f"give one, or leave {option} out" + (f" for {fallback}" if plain else "")
-    return InputError(place, option, expected, found or "nothing", remedy)
+    return InputError(PLACE, option, expected, found or "nothing", remedy)
 
 
 def _number(value: Any) -> float:

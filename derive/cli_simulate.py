@@ -9,6 +9,7 @@ import click
 
 from derive.cli_loop import (
     LARGEST_SEED,
+    PLACE,
     Count,
     backend_option,
     experiment_options,
@@ -85,15 +86,14 @@ def _check_scenario(scenario: str, given: list[str]) -> None:
     """Raise InputError for another number, or for options that a scenario leaves no room for."""
     from derive.vehicle import InputError
 
-    where = "derive simulate"
     if scenario not in SCENARIOS:
         known = ", ".join(SCENARIOS)
         remedy = "give one of them, or leave --scenario out to fly the vehicle file's own run"
-        raise InputError(where, "--scenario", f"one of {known}", repr(scenario), remedy)
+        raise InputError(PLACE, "--scenario", f"one of {known}", repr(scenario), remedy)
     if given:
         from derive.flight import option
 
         found = ", ".join(map(option, given))
         remedy = "leave it out, or fly the vehicle file's own run without --scenario"
         expected = "no option of a run of one's own: the paper states its scenarios"
-        raise InputError(where, "--scenario", expected, found, remedy)
+        raise InputError(PLACE, "--scenario", expected, found, remedy)

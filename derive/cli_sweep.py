@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -20,9 +20,15 @@ from derive.cli_loop import (
 )
 from derive.terminal import AnyPath, cache, cache_option, loaded, progress
 
+if TYPE_CHECKING:
+    from derive.sweep_folder import Sweep
+
 MOST_RUNS, MOST_WORKERS = 10**6, 1024
-REPLAYED = ("backend", "box", "speed", "settle", "duration", "step", "inertia_error",
-            "disturbance", "wave", "hertz", "noise_g", "noise_nu", "force_limit")  # fmt: skip
+OWN = ("runs", "seed", "backend", "box", "speed", "settle", "rates", "chunk")
+"""Options that no vehicle file speaks of."""
+
+REPLAYED = ("backend", "box", "speed", "settle", "duration", "step", "inertia_error", "disturbance", "wave",
+            "hertz", "noise_g", "noise_nu", "force_limit")  # fmt: skip
 """Options that `derive simulate` needs to fly a run again."""
 
 
@@ -60,59 +66,54 @@ REPLAYED = ("backend", "box", "speed", "settle", "duration", "step", "inertia_er
 @cache_option
 def sweep(
     file: Path,
-    runs: int,
     out: Path,
     resume: bool,
-    seed: int,
-    backend: str,
-    box: float,
-    speed: float,
-    rates: tuple[float, ...],
-    settle: float,
     workers: int | None,
-    chunk: int,
     cluster: str | None,
     form: str | None,
     no_cache: bool,
     **said: Any,
 ) -> int:
     """Monte Carlo: many runs from drawn starts with drawn errors; figures of each and of all."""
-    from derive import campaign, crew
+    from derive import campaign, crew, sweep_folder
 
-    form = crew.form_of(form)
+    wanted = crew.form_of(form)
     (vehicle,) = loaded((file,))
-    given = {key: value for key, value in said.items() if value is not None}
-    asked = campaign.Asked(runs, seed, backend, box, speed, settle, rates, given, chunk)
+    given = {key: said[key] for key in said if key not in OWN and said[key] is not None}
+    asked = campaign.Asked(**{key: said[key] for key in OWN}, given=given)
     show = progress()
     try:
         show("deriving")
         plan = campaign.plan(vehicle, cache(no_cache), asked)
         hands = crew.hired(cluster, workers or _cores())
-        with crew.let_go(hands):
-            opened = campaign.opened(plan, asked, out, form, resume)
+        with crew.let_go(hands), campaign.held(plan, asked, out, wanted, resume) as opened:
             if opened.whole:
-                click.echo(f"{opened.whole} is whole already")
-                return 0
+                return _again(opened, opened.whole, is_asked=form is not None)
             rows = campaign.flown(opened, hands, show)
-        show("results")
-        found = campaign.told(rows, opened)
-        lacking = crew.drawn(rows, opened)
-        opened.finish(rows)
+            show("results")
+            found, text = campaign.told(rows, opened)
+            lacking = crew.drawn(rows, opened)
+            opened.finish(rows)
     except KeyboardInterrupt:
         show("")
-        if (out / campaign.DEFINITION).exists():
+        if (out / sweep_folder.DEFINITION).exists():
             click.echo(f"finished chunks are kept in {out}; go on with --resume", err=True)
         raise
     finally:
         show("")
-    click.echo(campaign.text(found))
-    for line in _replays(
-        file, found, {**said, "backend": backend, "box": box, "speed": speed, "settle": settle}
-    ):
-        click.echo(line)
-    click.echo(f"\nwrote {opened.results}")
+    click.echo("\n".join([text, *_replays(file, found, said), "", f"wrote {opened.results}"]))
     if lacking:
         click.echo(lacking, err=True)
+    return 0
+
+
+def _again(opened: Sweep, there: Path, is_asked: bool) -> int:
+    """A sweep that an earlier call has flown: nothing is to do but a format that is asked for."""
+    if there == opened.results or not is_asked:
+        click.echo(f"{there} is whole already")
+    else:
+        opened.rewrite(there)
+        click.echo(f"wrote {opened.results} from {there}")
     return 0
 
 
@@ -121,10 +122,12 @@ def _cores() -> int:
 
 
 def _replays(file: Path, found: dict[str, Any], said: dict[str, Any]) -> list[str]:
-    """The command lines of the slowest run and of the first that failed."""
+    """The command lines of the slowest run and of the first few that failed."""
+    from derive.flight import option
+
     named = [("slowest", found["slowest"]), *(("failed", one) for one in found["failed"])]
     options = [word for key in REPLAYED if said[key] is not None
-               for word in (_option(key), _word(said[key]))]  # fmt: skip
+               for word in (option(key), _word(said[key]))]  # fmt: skip
     lines = []
     for kind, one in named:
         if one is None:
@@ -133,10 +136,6 @@ def _replays(file: Path, found: dict[str, Any], said: dict[str, Any]) -> list[st
         words = ["derive", "simulate", str(file), "--seed", str(one["seed"]), *rate, *options]
         lines.append(f"{kind:8} run {one['run']}: {shlex.join(words)}")
     return ["", *lines]
-
-
-def _option(key: str) -> str:
-    return "--" + key.replace("_", "-")
 
 
 def _word(value: Any) -> str:

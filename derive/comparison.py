@@ -88,6 +88,7 @@ class Comparison:
                               self.differences)  # fmt: skip
 
 
+@flight.roomy()
 def scenarios(
     vehicle: Vehicle, cached: Path | None, numbers: Sequence[int], backend: str, show: Progress
 ) -> Comparison:

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
 
-from derive.campaign import Sweep, save
 from derive.demand import PLACE
 from derive.simulate.chunk import Rows
-from derive.simulate.executor import Alone, Cluster, Crew, Processes
+from derive.simulate.cluster import Cluster
+from derive.simulate.executor import Alone, Crew, Processes
 from derive.simulate.style import is_drawable
 from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import FORMATS
+from derive.sweep_folder import Sweep
 from derive.vehicle import InputError
 
 EXTRA = "pip install 'gsmc-derive[{}]'"
@@ -43,7 +44,7 @@ def hired(cluster: str | None, workers: int) -> Crew:
         return Cluster(cluster)
     except (OSError, ValueError) as fault:
         expected = "the address of a Dask scheduler that has workers"
-        found = f"{cluster}: {str(fault).splitlines()[0] if str(fault) else type(fault).__name__}"
+        found = f"{cluster!r}: {str(fault).splitlines()[0] if str(fault) else type(fault).__name__}"
         remedy = "start one with `dask scheduler` and `dask worker`, or leave --cluster out"
         raise InputError(PLACE, "--cluster", expected, found, remedy) from fault
 
@@ -64,7 +65,8 @@ def drawn(rows: Rows, sweep: Sweep) -> str:
     if not is_drawable():
         return f"no pictures: matplotlib is not installed; {EXTRA.format('plot')}"
     craft = sweep.plan.craft
-    title = f"{craft.name}: {craft.controller} on {craft.group}, {len(rows['run'])} runs"
-    for name, data in pictures(rows, title).items():
-        save(sweep.out / name, data)
+    title = f"{craft.name}: {craft.controller} on {craft.group}"
+    seconds = max(one.seconds for one in sweep.plan.settings)
+    for name, data in pictures(rows, title, seconds).items():
+        sweep.save(sweep.out / name, data)
     return ""

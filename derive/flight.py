@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -11,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from derive import pipeline
-from derive.demand import wide
-from derive.simulate.craft import Craft
+from derive.demand import PLACE, wide
+from derive.simulate.craft import Craft, NoRoom
 from derive.simulate.draw import Spread
 from derive.simulate.pace import longest, swiftness
 from derive.simulate.reference import Reference
@@ -20,9 +21,20 @@ from derive.simulate.runs import Runs, Setting
 from derive.simulate.space import Array, space_of
 from derive.vehicle import InputError, Vehicle, check_facts, resolve
 
+ROOM = "make room there, or let the variable TMPDIR name another folder"
 LARGEST_TURN = 32  # rad, of the first error: five times around
 MOST_STEPS = 10**6  # of one run: what it records takes 1 GB, and hours
 TURN, SPEED = 0.5, 0.1  # of every coordinate at the start, where the vehicle file says nothing
+
+
+@contextmanager
+def roomy() -> Iterator[None]:
+    """Turn a temporary folder that takes no more into an InputError; a decorator as well."""
+    try:
+        yield
+    except NoRoom as fault:
+        expected = "a folder for temporary files that takes some megabytes"
+        raise InputError("TMPDIR", "", expected, str(fault), ROOM) from fault
 
 
 def craft(vehicle: Vehicle, cached: Path | None) -> Craft:
@@ -59,36 +71,38 @@ def option(key: str) -> str:
     return "--" + key.replace("_", "-")
 
 
-def spread_of(vehicle: Vehicle, box: float, speed: float) -> Spread:
+def blamed(vehicle: Vehicle, given: Mapping[str, Any], *keys: str) -> tuple[str, str]:
+    """Place and name of what is wrong: the first of these that a command line gives, or the file's.
+
+    keys: of Experiment, whose values together cannot be used; the first is the file's to blame
+    """
+    key = next((key for key in keys if key in given), None)
+    return (PLACE, option(key)) if key else (vehicle.source, f"simulate.{keys[0]}")
+
+
+def spread_of(vehicle: Vehicle, given: Mapping[str, Any], box: float, speed: float) -> Spread:
     """What is drawn around the vehicle's [simulate]: its errors are widths. Raises InputError."""
     said = vehicle.experiment
     error = abs(float(said.inertia_error))
     if error >= 1:
-        remedy = "give a smaller --inertia-error"
-        raise InputError(vehicle.source, "simulate.inertia_error",
-                         "less than 1 where it is drawn: an inertia is positive",
-                         f"{error:g}", remedy)  # fmt: skip
+        expected = "less than 1 where it is drawn: an inertia is positive"
+        raise InputError(*blamed(vehicle, given, "inertia_error"), expected, f"{error:g}",
+                         "give a smaller --inertia-error")  # fmt: skip
     widths = (tuple(abs(float(x)) for x in one) for one in (said.disturbance, said.wave))
-    given = (tuple(map(float, one)) for one in (said.momentum, said.external))
-    return Spread(box, speed, error, *widths, *given)
+    known = (tuple(map(float, one)) for one in (said.momentum, said.external))
+    return Spread(box, speed, error, *widths, *known)
 
 
-def setting_of(vehicle: Vehicle, made: Craft, reference: Reference) -> Setting:
-    """What its [simulate] says of every run. Raises InputError."""
+def setting_of(
+    vehicle: Vehicle, given: Mapping[str, Any], made: Craft, reference: Reference
+) -> Setting:
+    """What its [simulate] says of every run; given is what a command line has put there.
+
+    Raises InputError.
+    """
     asked = vehicle.experiment
     rate = None if asked.rate is None else float(asked.rate)
-    if rate is None and (asked.noise_g or asked.noise_nu):
-        expected, remedy = "a rate in Hz: noise is of samples", "give a rate, or no noise"
-        found = "a continuous controller"
-        raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
-    if rate is not None and rate * float(asked.duration) < 1:
-        expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
-        found = f"{rate:g} Hz over {float(asked.duration):g} s"
-        raise InputError(vehicle.source, "simulate.rate", expected, found, remedy)
-    if any(asked.wave) and not asked.hertz:
-        expected, found = "above 0 where there is a wave", "0 Hz: no force at all"
-        remedy = "give its frequency; a constant force is a disturbance"
-        raise InputError(vehicle.source, "simulate.hertz", expected, found, remedy)
+    _check_together(vehicle, given, rate)
     setting = Setting(
         seconds=float(asked.duration),
         rate=rate,
@@ -103,8 +117,27 @@ def setting_of(vehicle: Vehicle, made: Craft, reference: Reference) -> Setting:
         found = f"{steps} of {setting.period / setting.parts:.3g} s"
         remedy = "fly for a shorter time or at a lower rate; a --step replaces the one chosen here"
         expected = f"at most {MOST_STEPS} steps of the integration"
-        raise InputError(vehicle.source, "simulate", expected, found, remedy)
+        raise InputError(*blamed(vehicle, given, "duration", "rate", "step"), expected, found,
+                         remedy)  # fmt: skip
     return setting
+
+
+def _check_together(vehicle: Vehicle, given: Mapping[str, Any], rate: float | None) -> None:
+    """Raise InputError for values that cannot be used together."""
+    asked = vehicle.experiment
+    if rate is None and (asked.noise_g or asked.noise_nu):
+        keys = ("rate", "noise_g", "noise_nu")
+        expected, remedy = "a rate in Hz: noise is of samples", "give a rate, or no noise"
+        found = "a continuous controller"
+        raise InputError(*blamed(vehicle, given, *keys), expected, found, remedy)
+    if rate is not None and rate * float(asked.duration) < 1:
+        expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
+        found = f"{rate:g} Hz over {float(asked.duration):g} s"
+        raise InputError(*blamed(vehicle, given, "rate", "duration"), expected, found, remedy)
+    if any(asked.wave) and not asked.hertz:
+        expected, found = "a frequency above 0 where there is a wave", "0 Hz: no force at all"
+        remedy = "give its frequency; a constant force is a disturbance"
+        raise InputError(*blamed(vehicle, given, "hertz", "wave"), expected, found, remedy)
 
 
 def _step(vehicle: Vehicle, made: Craft, reference: Reference, rate: float | None) -> float:

@@ -104,6 +104,22 @@ def _locked(out: Path) -> Iterator[None]:
         os.close(handle)
 
 
+@contextmanager
+def sole(out: Path) -> Iterator[None]:
+    """Nobody else who asks for this has the folder meanwhile; BlockingIOError where one has it."""
+    handle = os.open(out, os.O_RDONLY)
+    try:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise
+        except OSError:  # a file system without locks
+            pass
+        yield
+    finally:
+        os.close(handle)
+
+
 def _recover(out: Path) -> None:
     """Put back what was moved away by a call that then was killed, and drop its new folders."""
     for beside in sorted(out.glob("*".join(PART))):

@@ -58,7 +58,7 @@ def refuse_strangers(place: Path) -> None:
 
 
 @contextmanager
-def told(place: Path, expected: str, option: str = "--out") -> Iterator[None]:
+def told(place: Path, expected: str, option: str = "--out", remedy: str = "") -> Iterator[None]:
     """Turn what the system refuses into an InputError on the option that names the place."""
     try:
         yield
@@ -67,7 +67,7 @@ def told(place: Path, expected: str, option: str = "--out") -> Iterator[None]:
         is_taken = isinstance(fault, FileExistsError | NotADirectoryError)
         reason = _obstacle(Path(at)) if is_taken else fault.strerror or str(fault)
         where = f": {at}" if at else ""
-        remedy = f"choose another place with {option}, or mend what is there"
+        remedy = remedy or f"choose another place with {option}, or mend what is there"
         raise InputError(str(place), option, expected, f"{reason}{where}", remedy) from fault
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from derive import folder, place
 from derive.course import course
 from derive.demand import backend_of
-from derive.flight import craft, overridden, setting_of, spread_of, stated
+from derive.flight import craft, overridden, roomy, setting_of, spread_of, stated
 from derive.simulate import tell
 from derive.simulate.craft import Craft, group_of
 from derive.simulate.draw import drawn
@@ -103,6 +103,7 @@ def decimal(value: Any) -> Any:
     return value.name if isinstance(value, Path) else value
 
 
+@roomy()
 def simulate(
     vehicle: Vehicle,
     cached: Path | None,
@@ -118,7 +119,7 @@ def simulate(
     progress("deriving")
     made = craft(one, cached)
     reference = course(one, made).reference()
-    setting = setting_of(one, made, reference)
+    setting = setting_of(one, asked.given, made, reference)
     runs = _runs(one, made, reference, asked)
     loop = Loop(made, asked.backend, reference, setting, runs)
     (flight,) = recorded(loop.moments(), lambda t: progress(f"{t:.1f} of {setting.seconds:g} s"))
@@ -130,7 +131,7 @@ def _runs(vehicle: Vehicle, made: Craft, reference: Reference, asked: Asked) -> 
     if asked.seed is None:
         runs: Runs = stated(vehicle, made, reference)
         return runs
-    spread = spread_of(vehicle, asked.box, asked.speed)
+    spread = spread_of(vehicle, asked.given, asked.box, asked.speed)
     return drawn(made, reference, spread, [asked.seed])
 
 

@@ -26,6 +26,7 @@ LAYER = {
     "derive.flight": "derive.pipeline",
     "derive.comparison": "derive.pipeline",
     "derive.simulation": "derive.pipeline",
+    "derive.sweep_folder": "derive.pipeline",
     "derive.theory": "derive.pipeline",
     "derive.cli_loop": "derive.cli",
     "derive.cli_simulate": "derive.cli",
@@ -61,7 +62,7 @@ OWN = {
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
         *("derive.campaign", "derive.comparison", "derive.crew", "derive.demand", "derive.flight"),
-        "derive.simulation",
+        *("derive.simulation", "derive.sweep_folder"),
         "derive.vehicle",
     ),
 }
@@ -95,7 +96,7 @@ THIRD_PARTY = {
     "derive.simulate.picture": ("matplotlib", "numpy"),
     "derive.simulate.sphere": ("matplotlib", "numpy"),
     "derive.simulate.style": ("matplotlib",),
-    "derive.simulate.executor": ("distributed",),
+    "derive.simulate.cluster": ("distributed",),
     "derive.simulate.table": ("numpy", "pyarrow"),
     "derive.cli": ("click",),
 }

@@ -13,13 +13,16 @@ from derive.native.compile import CompileError, CompilerMissing
 from derive.simulate.craft import Craft
 from derive.simulate.draw import Spread, choice, drawn, initial_angles, seed_of
 from derive.simulate.loop import Loop
-from derive.simulate.outcome import Watch
+from derive.simulate.outcome import OUTCOMES, Watch
 from derive.simulate.reference import Course, Reference
 from derive.simulate.runs import Runs, Setting
 from derive.simulate.space import space_of
 
 Rows = dict[str, NDArray[Any]]
 """Columns (N,) by name, in the order of the result."""
+
+START = ("seed", "rate", "initial_angle", "initial_height", "initial_rate")
+"""Columns before those of what was drawn per coordinate, which OUTCOMES follow."""
 
 
 class CannotFly(Exception):
@@ -89,19 +92,31 @@ def _loop(plan: Plan, reference: Reference, setting: Setting, runs: Runs) -> Loo
         raise CannotFly(str(fault)) from None
 
 
+def columns(plan: Plan) -> tuple[str, ...]:
+    """The names of a result, in their order."""
+    n = space_of(plan.craft).dim
+    blocks = ("inertia", "disturbance", *_waves(plan))
+    return ("run", *START, *(f"{name}_{i}" for name in blocks for i in range(n)), *OUTCOMES)
+
+
+def _waves(plan: Plan) -> tuple[str, ...]:
+    return ("sine", "cosine") if any(plan.spread.wave) else ()
+
+
 def _start(plan: Plan, rate: float | None, runs: Runs, watch: Watch) -> Rows:
     """What was drawn, a column each."""
-    height, speed = watch.start()
     n = runs.nu.shape[0]
     diagonal = np.cumsum([0, *range(n, 1, -1)])  # of an upper triangle by rows
     grown = runs.inertia[diagonal] / np.array(plan.craft.inertia)[diagonal, None]
-    waves = (("sine", runs.sine), ("cosine", runs.cosine)) if any(plan.spread.wave) else ()
-    blocks = (("inertia", grown), ("disturbance", runs.disturbance), *waves)
+    blocks = {"inertia": grown, "disturbance": runs.disturbance}
+    blocks |= {name: getattr(runs, name) for name in _waves(plan)}
+    found = (
+        np.array(runs.seeds),
+        np.full(len(runs), np.nan if rate is None else rate),
+        initial_angles(plan.craft, runs.seeds),
+        *watch.start(),
+    )
     return {
-        "seed": np.array(runs.seeds),
-        "rate": np.full(len(runs), np.nan if rate is None else rate),
-        "initial_angle": initial_angles(plan.craft, runs.seeds),
-        "initial_height": height,
-        "initial_rate": speed,
-        **{f"{name}_{i}": row for name, rows in blocks for i, row in enumerate(rows)},
+        **dict(zip(START, found, strict=True)),
+        **{f"{name}_{i}": row for name, rows in blocks.items() for i, row in enumerate(rows)},
     }

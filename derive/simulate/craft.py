@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from errno import ENOSPC
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 
 from derive.lie.catalogue import named
 from derive.lie.group import Group
 from derive.lie.own import of_basis
+from derive.native.compile import CompileError
 
+FULL = os.strerror(ENOSPC)  # as a compiler says it too
 Basis = tuple[tuple[tuple[Fraction, ...], ...], ...]
+
+
+class NoRoom(Exception):
+    """The temporary folder cannot take what has to be unpacked and built there; says which."""
+
 
 _KEPT: list[TemporaryDirectory[str]] = []
 
@@ -52,9 +63,22 @@ def group_of(craft: Craft) -> Group:
     return of_basis(craft.group, craft.own, craft.units)
 
 
+@contextmanager
+def unpacked(craft: Craft) -> Iterator[Path]:
+    """Its folder, to build in. Raises NoRoom where that cannot be written to."""
+    try:
+        yield folder_of(craft)
+    except OSError as fault:
+        raise NoRoom(f"{fault.strerror or fault}: {gettempdir()}") from fault
+    except CompileError as fault:
+        if FULL not in fault.stderr:
+            raise
+        raise NoRoom(f"{FULL}: {gettempdir()}") from fault
+
+
 @cache
 def folder_of(craft: Craft) -> Path:
-    """A folder that holds its emitted files while this process lives."""
+    """A folder that holds its emitted files while this process lives; OSError."""
     holder = TemporaryDirectory(prefix="derive-")
     _KEPT.append(holder)
     root = Path(holder.name)

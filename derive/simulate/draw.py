@@ -23,7 +23,7 @@ from derive.simulate.space import Array, Space, space_of
 Numbers = list[float]
 Column = tuple[float, ...]
 
-TURN = 8
+PARTS = 8
 """Parts of a whole turn: an angle of 2 pi in steps of less than 1 rad."""
 
 
@@ -102,9 +102,9 @@ def drawn(craft: Craft, reference: Reference, spread: Spread, seeds: Sequence[in
         momentum=_column(spread.momentum, n),
         inertia=_inertias(craft.inertia, [one.inertia for one in draws], spread.inertia),
         external=_column(spread.external, n),
-        disturbance=_column(spread.disturbance, n) * _columns([one.force for one in draws]),
-        sine=_column(spread.wave, n) * _columns([one.sine for one in draws]),
-        cosine=_column(spread.wave, n) * _columns([one.cosine for one in draws]),
+        disturbance=_forces(spread.disturbance, [one.force for one in draws]),
+        sine=_forces(spread.wave, [one.sine for one in draws]),
+        cosine=_forces(spread.wave, [one.cosine for one in draws]),
         seeds=tuple(seeds),
     )
 
@@ -144,7 +144,7 @@ def _errors(space: Space, plan: list[Leaf], spread: Spread, draws: list[Draw]) -
     turns = [_turn(plan, one) for one in draws]
     parts = min(64, max(1, math.ceil(2 * spread.box)))  # of the spread, not of the runs
     g = np.repeat(space.identity, len(draws), 1)
-    for x, steps in ((moves, parts), (turns, TURN)):
+    for x, steps in ((moves, parts), (turns, PARTS)):
         part = np.array(x).T / steps
         for _ in range(steps):
             g = space.advance(g, part)
@@ -196,6 +196,12 @@ def _inertias(upper: tuple[float, ...], draws: list[Numbers], width: float) -> A
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     return np.array([[entry * root[i] * root[j] for root in roots]
                      for entry, (i, j) in zip(upper, pairs, strict=True)])  # fmt: skip
+
+
+def _forces(width: Column, draws: list[Numbers]) -> Array:
+    """Uniform within the width, (n, N); where that is zero, a zero without a sign."""
+    n = len(draws[0])
+    return _column(width, n) * _columns(draws) + 0.0
 
 
 def _columns(draws: list[Numbers]) -> Array:

@@ -1,4 +1,4 @@
-"""Who flies the chunks: this process, processes of this machine, or a Dask cluster.
+"""Who flies the chunks: this process, processes of this machine, or another crew.
 
 A chunk whose worker died is flown again, by whoever is there; only when several attempts in a
 row come to nothing is it given up. What a chunk gives does not depend on who flew it.
@@ -108,55 +108,6 @@ class Processes:
             for process in list((getattr(self._pool, "_processes", None) or {}).values()):
                 process.terminate()
         self._pool.shutdown(wait=True, cancel_futures=True)
-
-
-class Cluster:
-    """Workers of a Dask cluster, whose scheduler is at an address."""
-
-    size = 1
-
-    def __init__(self, address: str, seconds: float = 5.0) -> None:
-        """Raises OSError (TimeoutError) when there is no scheduler, or it has no worker."""
-        from distributed import Client
-        from distributed.client import FutureCancelledError
-        from distributed.comm.core import CommClosedError
-        from distributed.scheduler import KilledWorker
-
-        self.lost: tuple[type[BaseException], ...] = (
-            KilledWorker,
-            FutureCancelledError,
-            CommClosedError,
-        )
-        self._client = Client(address, timeout=seconds, set_as_default=False)
-        try:
-            self._client.wait_for_workers(1, timeout=seconds)
-        except BaseException:
-            self._client.close()
-            raise
-        self.size = max(1, sum(self._client.ncores().values()))
-
-    def submit(self, plan: Plan, chunk: Chunk) -> Any:
-        """A future of the cluster, which itself starts a lost chunk anew."""
-        return self._client.submit(fly, plan, *chunk, pure=False, retries=2)
-
-    def first(self, futures: Sequence[Any]) -> Sequence[Any]:
-        """Those that are done."""
-        from distributed import wait as awaited
-
-        with self._client.as_current():
-            done = awaited(list(futures), return_when="FIRST_COMPLETED").done
-        return [one for one in futures if one in done]
-
-    def renew(self) -> None:
-        """Wait for new workers; raises WorkersLost when there are none."""
-        try:
-            self._client.wait_for_workers(1, timeout=30)
-        except (OSError, ValueError, RuntimeError) as fault:
-            raise WorkersLost("the cluster has no worker left, or cannot be reached") from fault
-
-    def close(self, is_done: bool) -> None:
-        """Forget what was asked for."""
-        self._client.close()
 
 
 def flown(crew: Crew, plan: Plan, chunks: Sequence[Chunk]) -> Iterator[tuple[Chunk, Rows]]:

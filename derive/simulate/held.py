@@ -14,7 +14,7 @@ from derive.control import mechanics, motion
 from derive.emit import inline
 from derive.emit.render import environment
 from derive.native.kernel import Kernel
-from derive.simulate.craft import Craft, folder_of
+from derive.simulate.craft import Craft, unpacked
 from derive.simulate.method import KUTTA
 from derive.simulate.runs import Runs
 from derive.simulate.space import Array, Space, space_of
@@ -84,7 +84,9 @@ def _weights(h: float) -> Array:
 def _kernel(craft: Craft) -> Kernel:
     space = space_of(craft)
     name = f"{craft.name}_held"
-    return Kernel(_text(craft, space), _PROTOTYPES, folder_of(craft) / "build", name)
+    text = _text(craft, space)
+    with unpacked(craft) as folder:
+        return Kernel(text, _PROTOTYPES, folder / "build", name)
 
 
 _STATE = ("g", "nu", "momentum", "effort")

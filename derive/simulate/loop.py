@@ -174,7 +174,7 @@ class Loop:
             pushed = force + _disturbance(met, self.setting.hertz, at)
             moved = self.space.acceleration(met.inertia, nu, pushed, **self._extras(momentum, met))
             turned = self.space.chart_rate(x, nu), self.space.chart_rate(x_r, nu_r)
-            return turned[0], moved, turned[1], -force, _square(force)
+            return turned[0], moved, turned[1], -force, square(force)
 
         still = np.zeros_like(body.nu), body.nu, np.zeros((self.space.dim, 1))
         return self._lifted(body, step(method, rates, t, h, (*still, *body[3:])))
@@ -192,8 +192,8 @@ class Loop:
 
 def _disturbance(runs: Runs, hertz: float, t: float) -> Array:
     """The force that nobody told the controller of, (n, N)."""
-    turn = 2 * math.pi * hertz * t
-    return runs.disturbance + math.sin(turn) * runs.sine + math.cos(turn) * runs.cosine
+    sine, cosine = _turn(hertz, t)
+    return runs.disturbance + sine * runs.sine + cosine * runs.cosine
 
 
 def _turn(hertz: float, t: float) -> tuple[float, float]:
@@ -202,7 +202,7 @@ def _turn(hertz: float, t: float) -> tuple[float, float]:
     return math.sin(turn), math.cos(turn)
 
 
-def _square(x: Array) -> Array:
+def square(x: Array) -> Array:
     """Sum of the squares of each column, (N,), in the order of its entries."""
     total: Array = x[0] * x[0]
     for entry in x[1:]:

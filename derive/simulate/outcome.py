@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.simulate.loop import Moment
+from derive.simulate.loop import Moment, square
 from derive.simulate.space import Array, Space
 
 OUTCOMES = (
@@ -19,7 +19,7 @@ STEEPEST = 4.0
 
 The norm of d log is (a/2)/sin(a/2) at angle a: pi/2 where SO(3) is cut at a = pi, and 4 at
 a = 1.79 pi on the sphere of quaternions, which is cut at 2 pi. A crossing turns nu_u over, a
-jump of 2 pi or 4 pi; of half of that for half the logarithm.
+jump of twice the angle of the cut, 2 pi and 4 pi; of half of that for half the logarithm.
 """
 
 JUMP = 1.0
@@ -86,8 +86,5 @@ def crosses(before: Array, after: Array, rate: Array, period: float) -> NDArray[
 
 
 def norm(x: Array) -> Array:
-    """Of each column, (N,), summed in the order of its entries."""
-    total: Array = x[0] * x[0]
-    for entry in x[1:]:
-        total = total + entry * entry
-    return np.asarray(np.sqrt(total))
+    """Of each column, (N,)."""
+    return np.asarray(np.sqrt(square(x)))

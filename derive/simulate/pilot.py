@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from derive.emit.status import FIRST_BAD
 from derive.native.load import Library, load_module
 from derive.native.rows import Rows, build_rows, column
-from derive.simulate.craft import Craft, folder_of, group_of
+from derive.simulate.craft import Craft, group_of, unpacked
 from derive.simulate.space import Array
 
 BACKENDS = ("numpy", "f64", "f32")
@@ -96,12 +96,14 @@ def _native(craft: Craft, scalar: str, loops: int) -> Callable[[Mapping[str, Arr
 
 @cache
 def _module(craft: Craft) -> Any:
-    return load_module(folder_of(craft) / "numpy" / f"{craft.name}.py")
+    with unpacked(craft) as root:
+        return load_module(root / "numpy" / f"{craft.name}.py")
 
 
 @cache
 def _library(craft: Craft, scalar: str) -> Library:
-    root, prefix = folder_of(craft), f"{craft.name}_{scalar}"
-    header = root / "c" / "include" / f"{prefix}.h"
-    source = root / "c" / "src" / f"{prefix}.c"
-    return Library(header, build_rows(header, source, root / "build"), prefix)
+    prefix = f"{craft.name}_{scalar}"
+    with unpacked(craft) as root:
+        header = root / "c" / "include" / f"{prefix}.h"
+        source = root / "c" / "src" / f"{prefix}.c"
+        return Library(header, build_rows(header, source, root / "build"), prefix)

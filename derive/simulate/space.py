@@ -20,7 +20,7 @@ from derive.control import mechanics, motion
 from derive.emit.function import Function, compiled
 from derive.lie.group import Group
 from derive.simulate.columns import Columns, in_c
-from derive.simulate.craft import Craft, folder_of, group_of
+from derive.simulate.craft import Craft, group_of, unpacked
 
 Array = NDArray[np.float64]
 
@@ -109,5 +109,8 @@ def space_of(craft: Craft, is_native: bool = False) -> Space:
     """The space of a craft, derived once per process; is_native: in C, where CompilerMissing and
     CompileError may be raised.
     """
-    native = (folder_of(craft) / "build", f"{craft.name}_space") if is_native else None
-    return Space(group_of(craft), craft.pattern, craft.options, native)
+    if not is_native:
+        return Space(group_of(craft), craft.pattern, craft.options)
+    with unpacked(craft) as folder:
+        native = folder / "build", f"{craft.name}_space"
+        return Space(group_of(craft), craft.pattern, craft.options, native)

@@ -167,6 +167,7 @@ def test_forces_are_drawn_per_coordinate_and_known_ones_are_given() -> None:
     runs = of("SO3", 200, spread)
     widest = [np.abs(one).max(1) for one in (runs.disturbance, runs.sine, runs.cosine)]
     np.testing.assert_allclose(widest, [(0.1, 0, 3), (0, 2, 0), (0, 2, 0)], rtol=0.05)
+    assert not any(np.signbit(one[one == 0]).any() for one in (runs.disturbance, runs.sine))
     assert runs.momentum.tolist() == [[1.0], [2.0], [3.0]]
     assert runs.external.tolist() == [[4.0], [5.0], [6.0]]
 

@@ -15,49 +15,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive import campaign, crew, folder, simulation
-from derive.crew import let_go
+from derive import campaign, crew, simulation
 from derive.simulate import executor, table
-from derive.simulate.chunk import Plan, Rows, fly, fly_seeds
-from derive.simulate.executor import Alone, Chunk, Cluster, Crew, Processes
+from derive.simulate.chunk import Plan, Rows, columns, fly, fly_seeds
+from derive.simulate.cluster import Cluster
+from derive.simulate.executor import Alone, Chunk, Processes
 from derive.simulate.summary import summary
 from derive.simulate.sweep_picture import pictures
 from derive.simulate.table import csv
 from derive.vehicle import InputError
 from tests.command import ROOT, derive
 from tests.simulate.crafts import asked, plan, vehicle
+from tests.simulate.sweeps import RUNS, flown, said_of
 
-RUNS = 70
-BRIEF = 0.4  # s, of every run
 SHORT = ("--duration", "1", "--rate", "20", "--rate", "30", "--noise-g", "0.001")
 ERRORS = ("--inertia-error", "0.1", "--disturbance", "0.01")
-
-
-def opened(out: Path, chunk: int = 8, **given: Any) -> campaign.Sweep:
-    """A new sweep of numpy loops on SO(3), at two rates and with noise."""
-    said = said_of(chunk, given)
-    return campaign.opened(plan(**said), asked(**said), out, "csv", False)
-
-
-def said_of(chunk: int, given: dict[str, Any]) -> dict[str, Any]:
-    plain = {"runs": RUNS, "rates": (20.0, 30.0), "noise_g": 0.001, "duration": BRIEF}
-    return {**plain, "chunk": chunk, **given}
-
-
-def flown(out: Path, crew: Crew, chunk: int = 8, told: Callable[[str], object] = len) -> bytes:
-    """The bytes of the result."""
-    sweep = opened(out, chunk)
-    with let_go(crew):
-        rows = campaign.flown(sweep, crew, told)
-    sweep.finish(rows)
-    assert sweep.results.read_bytes() == csv(rows)
-    return csv(rows)
-
-
-@pytest.fixture(scope="module")
-def truth(tmp_path_factory: pytest.TempPathFactory) -> bytes:
-    """The sweep flown in one piece."""
-    return flown(tmp_path_factory.mktemp("truth") / "out", Alone(), chunk=RUNS)
 
 
 class Killer:
@@ -154,59 +126,6 @@ def test_a_crew_that_comes_to_nothing_is_given_up(tmp_path: Path) -> None:
     assert crew.renewed < 10
 
 
-def test_a_full_disk_is_told_and_what_is_there_stays(
-    truth: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    plain, written = folder.save_bytes, []
-
-    def full(path: Path, data: bytes) -> None:
-        if path.suffix == ".npz":
-            written.append(path)
-            if len(written) == 3:
-                raise OSError(28, os.strerror(28), str(path))
-        plain(path, data)
-
-    monkeypatch.setattr(folder, "save_bytes", full)
-    with pytest.raises(InputError, match=r"No space left on device"):
-        flown(tmp_path / "out", Alone(), 16)
-    monkeypatch.undo()
-    kept = sorted(path.name for path in (tmp_path / "out" / "chunks").iterdir())
-    assert kept == ["00000.npz", "00001.npz"]
-    assert resumed(tmp_path / "out", 16) == truth
-
-
-def resumed(out: Path, chunk: int, **given: Any) -> bytes:
-    said = said_of(chunk, given)
-    sweep = campaign.opened(plan(**said), asked(**said), out, "csv", True)
-    rows = campaign.flown(sweep, Alone(), len)
-    sweep.finish(rows)
-    return sweep.results.read_bytes()
-
-
-def test_a_damaged_chunk_is_flown_again(truth: bytes, tmp_path: Path) -> None:
-    sweep = opened(tmp_path / "out", 16)
-    for number, chunk in enumerate(sweep.chunks):
-        sweep.keep(chunk, fly(sweep.plan, *chunk))
-        place = tmp_path / "out" / "chunks" / f"{number:05}.npz"
-        whole = place.read_bytes()
-        place.write_bytes((whole, b"", whole[: len(whole) // 2], b"none", whole)[number])
-    sweep.keep(sweep.chunks[4], fly(sweep.plan, *sweep.chunks[0]))
-    assert resumed(tmp_path / "out", 16) == truth
-
-
-@pytest.mark.parametrize(
-    ("given", "key"),
-    [({"settle": 0.5}, "settle"), ({"duration": 2.5}, r"setting.0.seconds"), ({"seed": 4}, "seed"),
-     ({"inertia_error": 0.2}, r"spread.inertia")],
-    ids=str,
-)  # fmt: skip
-def test_another_sweep_is_not_resumed(given: dict[str, Any], key: str, tmp_path: Path) -> None:
-    opened(tmp_path / "out", 16)
-    with pytest.raises(InputError, match=rf"sweep.json: {key}\n") as caught:
-        resumed(tmp_path / "out", 16, **given)
-    assert "as the sweep there has it" in str(caught.value)
-
-
 def test_a_run_is_replayed_by_its_seed(truth: bytes) -> None:
     lines = truth.decode().splitlines()
     names = lines[0].split(",")
@@ -215,6 +134,19 @@ def test_a_run_is_replayed_by_its_seed(truth: bytes) -> None:
         alone = plan(**{**said_of(8, {}), "rates": (float(row["rate"]),)})
         again = csv(fly_seeds(alone, [int(row["seed"])], int(row["run"]))).decode().splitlines()
         assert again == [lines[0], line]
+
+
+def test_names_are_told_before_a_flight() -> None:
+    for given in ({}, {"wave": (0.1,), "hertz": 1.0}):
+        made = plan(**{**said_of(8, {}), **given})
+        assert columns(made) == (*fly(made, 0, 3),)
+
+
+def test_a_csv_is_read_as_it_was_written(truth: bytes) -> None:
+    read = table.from_csv(truth)
+    assert csv(read) == truth
+    for name, values in fly(plan(**said_of(8, {})), 0, RUNS).items():
+        assert read[name].dtype == values.dtype
 
 
 def test_numbers_are_read_back_exactly(truth: bytes) -> None:
@@ -245,13 +177,13 @@ def test_derive_simulate_flies_the_run_of_a_seed(backend: str) -> None:
 @pytest.mark.parametrize(("group", "settle"), [("SO3", 0.3), ("R3", 1e-9)])
 def test_pictures_are_drawn_of_any_outcome(group: str, settle: float) -> None:
     rows = fly(plan(group, settle=settle, duration=1.0, rates=(10.0,)), 0, 20)
-    drawn = pictures(rows, "some")
+    drawn = pictures(rows, "some", 1.0)
     assert {*drawn} == {f"{name}.{form}" for name in ("settling_time", "success_map")
                         for form in ("png", "svg")}  # fmt: skip
     assert drawn["success_map.png"].startswith(b"\x89PNG")
-    assert drawn == pictures(rows, "some")
+    assert drawn == pictures(rows, "some", 1.0)
     other = {**rows, "settled": ~rows["settled"], "settling_time": np.ones(20)}
-    assert drawn["success_map.svg"] != pictures(other, "some")["success_map.svg"]
+    assert drawn["success_map.svg"] != pictures(other, "some", 1.0)["success_map.svg"]
 
 
 def test_the_summary_is_what_the_rows_say() -> None:
@@ -272,6 +204,7 @@ def test_parquet_holds_what_csv_holds(truth: bytes, tmp_path: Path) -> None:
 
     rows = fly(plan(**said_of(8, {})), 0, RUNS)
     assert table.parquet(rows) == table.parquet(rows)
+    assert csv(table.from_parquet(table.parquet(rows))) == truth
     (tmp_path / "rows.parquet").write_bytes(table.parquet(rows))
     read = parquet.read_table(tmp_path / "rows.parquet").to_pydict()
     assert csv({name: np.array(values) for name, values in read.items()}) == truth
@@ -289,12 +222,12 @@ def test_the_command_interrupted_and_resumed(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "derive", *plain, "part", "--workers", "1"]
     with subprocess.Popen(command, cwd=tmp_path, env=environment, stderr=subprocess.PIPE,
                           stdout=subprocess.DEVNULL, text=True) as flying:  # fmt: skip
-        until(lambda: list((tmp_path / "part" / "chunks").glob("*.npz")))
+        until(lambda: list((tmp_path / "part" / "chunks").glob("*.chunk")))
         flying.send_signal(signal.SIGINT)
         _, said = flying.communicate(timeout=30)
     assert flying.returncode == 130
     assert "go on with --resume" in said
-    kept = len(list((tmp_path / "part" / "chunks").glob("*.npz")))
+    kept = len(list((tmp_path / "part" / "chunks").glob("*.chunk")))
     assert 1 <= kept < 20
     assert not list((tmp_path / "part").glob("results.*"))
     assert not list(tmp_path.rglob(".derive-*"))
