@@ -27,8 +27,8 @@ MOST_RUNS, MOST_WORKERS = 10**6, 1024
 OWN = ("runs", "seed", "backend", "box", "speed", "settle", "rates", "chunk")
 """Options that no vehicle file speaks of."""
 
-REPLAYED = ("backend", "box", "speed", "settle", "duration", "step", "inertia_error", "disturbance", "wave",
-            "hertz", "noise_g", "noise_nu", "force_limit")  # fmt: skip
+REPLAYED = ("backend", "box", "speed", "settle", "duration", "step", "inertia_error",
+            "disturbance", "wave", "hertz", "noise_g", "noise_nu", "force_limit")  # fmt: skip
 """Options that `derive simulate` needs to fly a run again."""
 
 

@@ -142,16 +142,31 @@ BAD = [
     (("--step", "2"), "--step", "from 1e-06 to 1 s", "2"),
     (("--noise-g", "0.2", "--rate", "9"), "--noise-g", "from 0 to 0.1", "0.2"),
     (("--noise-nu", "x"), "--noise-nu", "a number", "x"),
-    (("--noise-nu", "0.1"), "simulate.rate", "a rate in Hz: noise is of samples", "continuous"),
+    (
+        ("--noise-nu", "0.1"),
+        "command line: --noise-nu",
+        "a rate in Hz: noise is of samples",
+        "continuous",
+    ),
     (("--inertia-error", "-1"), "--inertia-error", "from -0.9 to 10", "-1"),
     (("--disturbance", "1,2"), "--disturbance", "one number, or 3", "2 numbers"),
     (("--disturbance", "1,,2"), "--disturbance", "a number", "nothing"),
     (("--force-limit", "0"), "--force-limit", "above 0", "0"),
-    (("--wave", "1"), "simulate.hertz", "above 0 where there is a wave", "no force at all"),
+    (("--wave", "1"), "command line: --wave", "above 0 where there is a wave", "no force at all"),
     (("--hertz", "-1"), "--hertz", "from 0", "-1"),
-    (("--rate", "1", "--duration", "0.5"), "simulate.rate", "at least one period", "1 Hz over"),
-    (("--rate", "1e6", "--duration", "1e6"), "simulate", "1000000 steps", "1000000000000 of"),
-    (("--wave", "1", "--hertz", "1e6"), "simulate", "1000000 steps", "of 1.59e-08 s"),
+    (
+        ("--rate", "1", "--duration", "0.5"),
+        "command line: --rate",
+        "at least one period",
+        "1 Hz over",
+    ),
+    (
+        ("--rate", "1e6", "--duration", "1e6"),
+        "command line: --duration",
+        "1000000 steps",
+        "1000000000000 of",
+    ),
+    (("--wave", "1", "--hertz", "1e6"), "command line", "1000000 steps", "of 1.59e-08 s"),
 ]
 
 

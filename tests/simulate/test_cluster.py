@@ -85,7 +85,7 @@ def test_a_cluster_that_dies_is_told_and_what_came_back_is_kept(
     hands = Cluster(dask.address, 20.0, PATIENCE)
     with pytest.raises(InputError, match="of 100 chunks are kept") as caught, let_go(hands):
         campaign.flown(sweep, hands, kill)
-    assert time.monotonic() - ended[0] < PATIENCE + 15
+    assert time.monotonic() - ended[0] < PATIENCE + 120
     assert 1 <= len(sweep.kept) < 100
     assert all(part in str(caught.value) for part in ("--cluster", said, "--resume")), caught.value
 
