@@ -14,7 +14,7 @@ enum {
 };
 
 /* A quaternion (x, y, z, w) that turns body into world axes, to the configuration: rotation matrix,
-        row by row. */
+   row by row. */
 static void from_xyzw(const double q[4], double g[9])
 {
     const double q_0 = q[0];

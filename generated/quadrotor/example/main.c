@@ -13,7 +13,7 @@ enum {
 };
 
 /* A quaternion (x, y, z, w) that turns body into world axes, to the configuration: unit quaternion,
-        Hamilton, scalar first. */
+   Hamilton, scalar first. */
 static void from_xyzw(const double q[4], double g[4])
 {
     const double q_0 = q[0];
