@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive import __version__, cache, folder, place
 from derive.control.table import CONTROLLERS
+from derive.emit.around import around
 from derive.emit.drift import Drift, compare
 from derive.emit.literal import nearest
 from derive.emit.render import manifest, render, targets, trace
@@ -66,6 +67,7 @@ def derivations(vehicle: Vehicle) -> Routines:
 
 def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
+    from derive.control.border import border
     from derive.control.kinematic import laws_of
     from derive.emit.package import package
     from derive.theory import cautions
@@ -82,11 +84,12 @@ def derived(vehicle: Vehicle) -> Printed:
         "storage": group.storage,
         "dim": group.dim,
         "stored": len(group.identity),
+        "identity": [int(number) for number in group.identity],
         "element_shape": list(group.shape),
         "is_pole": law.is_pole,
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
     }
-    data = package(vehicle.name, parts.main, parts.public, parts.inner, described)
+    data = package(vehicle.name, parts.main, parts.public, parts.inner, described, border(group))
     return {
         "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
         "cautions": cautions(vehicle, group),
@@ -126,6 +129,8 @@ def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
         files |= render(target, scalars, values)
     first = next(iter(next(iter(used.values())).values()))
     files["trace.csv"] = trace(first, files)
+    for target in targets(vehicle.targets):
+        files |= around(target, used[target.name], values)
     files[folder.MANIFEST] = manifest(__version__, values, first["routines"], files)
     return dict(sorted(files.items()))
 

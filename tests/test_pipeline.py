@@ -165,9 +165,15 @@ def test_scalars_and_targets_choose_files(kept: Path) -> None:
     numpy = pipeline.texts(replace(BODY, targets=("numpy",), scalars=("f64",)), kept)
     single = pipeline.texts(replace(BODY, targets=("c99",), scalars=("f32",)), kept)
     kinds = [{path.partition("/")[0] for path in texts} for texts in (numpy, single)]
-    assert kinds == [{"numpy", "trace.csv", "MANIFEST.toml"}, {"c", "trace.csv", "MANIFEST.toml"}]
+    shared = {"trace.csv", "MANIFEST.toml"}
+    assert kinds == [
+        shared | {"numpy"},
+        shared | {"c", "example", "CMakeLists.txt", "paper_so3.mk"},
+    ]
     assert all("f64" not in path for path in single)
-    for path in (numpy.keys() | single.keys()) - {"trace.csv", "MANIFEST.toml"}:
+    code = [path for path in {**numpy, **single} if path.startswith(("c/", "numpy/"))]
+    assert len(code) == 3
+    for path in code:
         assert everything[path] == {**numpy, **single}[path]
 
 

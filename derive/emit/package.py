@@ -25,8 +25,12 @@ def package(
     public: Sequence[Derivation],
     inner: Sequence[Derivation],
     facts: Mapping[str, Any],
+    border: Derivation | None = None,
 ) -> Printed:
-    """{target: {scalar: data}} for one vehicle; facts go to every template as they are."""
+    """{target: {scalar: data}} for one vehicle; facts go to every template as they are.
+
+    border: from what drivers measure to a configuration, for the example
+    """
     dialects = {
         ("c99", "f32"): printer.c99("f32", f"{name}_f32"),
         ("c99", "f64"): printer.c99("f64", f"{name}_f64"),
@@ -34,7 +38,10 @@ def package(
     }
     return {
         target: {
-            scalar: _one(main, public, inner, facts, dialects[target, scalar], target)
+            scalar: {
+                **_one(main, public, inner, facts, dialects[target, scalar], target),
+                "border": routine(border, dialects[target, scalar]) if border else None,
+            }
             for scalar in TARGETS[target].scalars
         }
         for target in TARGETS

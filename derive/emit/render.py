@@ -134,14 +134,15 @@ def render(target: Target, printed: Mapping[str, Any], values: Mapping[str, Any]
     for scalar in target.scalars:
         if scalar not in printed:
             continue
-        context = {**printed[scalar], **_values(scalar, target, values)}
+        context = {**printed[scalar], **spelled(scalar, target, values)}
         for file in target.files:
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)
     return texts
 
 
-def _values(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str, Any]:
+def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str, Any]:
+    """A vehicle's names and numbers as one target writes them in one scalar."""
     number = c_literal if target.name == "c99" else decimal
     kind = SCALARS[scalar]
     prefix = f"{values['name']}_{scalar}"

@@ -63,11 +63,12 @@ class File:
 
 @dataclass(frozen=True)
 class Target:
-    """A kind of package: scalars it can carry and files per scalar."""
+    """A kind of package: scalars it can carry, files per scalar, and files around all of them."""
 
     name: str
     scalars: tuple[str, ...]
     files: tuple[File, ...]
+    around: tuple[File, ...] = ()
 
 
 TARGETS = {
@@ -77,6 +78,11 @@ TARGETS = {
         (
             File("c99/header.h.jinja", "c/include/{name}_{scalar}.h"),
             File("c99/source.c.jinja", "c/src/{name}_{scalar}.c"),
+        ),
+        (
+            File("package/CMakeLists.txt.jinja", "CMakeLists.txt"),
+            File("package/fragment.mk.jinja", "{name}.mk"),
+            File("package/main.c.jinja", "example/main.c"),
         ),
     ),
     "numpy": Target("numpy", ("f64",), (File("numpy/module.py.jinja", "numpy/{name}.py"),)),

@@ -58,6 +58,7 @@ SO3 = Group(
     cover=cover.of_rotation,
     chart=chart.of_space,
     is_rotation=True,
+    attitude=lambda q: Matrix(9, 1, list(_rotation_of(left_product(q)))),
     short_Ad=lambda rotation: rotation,
 )
 
@@ -75,6 +76,7 @@ S3 = Group(
     cover=cover.of_quaternion,
     chart=chart.of_sphere,
     is_rotation=True,
+    attitude=lambda q: q,
     short_Ad=_rotation_of,
 )
 

@@ -40,6 +40,7 @@ class Group:
     factors:  of a direct product, in order; empty for any other group
     first:    the group that this one is in another basis, and the new E_j in its coordinates
     is_rotation: its velocities are angular rates of a body in space
+    attitude: unit quaternion (4, 1), scalar first -> stored numbers (k, 1), of a group of attitudes
     short_…:  optional shorter formulas, each held to its definition by a test
     """
 
@@ -58,6 +59,7 @@ class Group:
     factors: tuple[Group, ...] = ()
     first: tuple[Group, ImmutableMatrix] | None = None
     is_rotation: bool = False
+    attitude: Callable[[Matrix], Matrix] | None = None
     short_Ad: Callable[[Matrix], Matrix] | None = None
     short_error: Callable[[Let, Matrix, Matrix], Matrix] | None = None
     short_pull: Callable[[Let, Matrix], Pull] | None = None
