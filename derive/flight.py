@@ -117,8 +117,8 @@ def setting_of(
         found = f"{steps} of {setting.period / setting.parts:.3g} s"
         remedy = "fly for a shorter time or at a lower rate; a --step replaces the one chosen here"
         expected = f"at most {MOST_STEPS} steps of the integration"
-        raise InputError(*blamed(vehicle, given, "duration", "rate", "step", "hertz"), expected, found,
-                         remedy)  # fmt: skip
+        where = blamed(vehicle, given, "duration", "rate", "step", "hertz")
+        raise InputError(*where, expected, found, remedy)
     return setting
 
 

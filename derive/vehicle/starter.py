@@ -45,13 +45,13 @@ targets = {targets}
 # What `derive simulate {name}.toml` flies, where it is not from half a unit of error to rest.
 # One number stands for all coordinates; an array has one for each.
 # [reference]
-# kind = "slew"  # or "rate" with nu_r, a constant body velocity; or "file" with a CSV
-# along = 0.5  # to exp(hat(along)), from rest to rest
-# duration = 30.0
+# along = 0.5  # a slew to exp(hat(along)), from rest to rest; or nu_r, a constant velocity
+# duration = 120.0
 # [simulate]
-# rate = 100.0  # Hz, the force held between; continuous when left out
+# duration = 240.0
+# rate = 50.0  # Hz, the force held between; continuous when left out
 # turn = 0.3  # first error, g = g_r exp(hat(turn))
-# disturbance = 0.001  # constant force that the controller is not told
+# disturbance = 1e-5  # constant force that the controller is not told
 """
 
 
