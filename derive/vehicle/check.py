@@ -32,6 +32,11 @@ DEVICES = frozenset(  # no file of such a name, whatever its ending, can exist o
     ["aux", "con", "nul", "prn", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))]
 )
 
+TARGETS_OF_OTHERS = frozenset(  # of CMake itself, and the library that the package links
+    "all clean edit_cache help install list_install_components m package package_source "
+    "rebuild_cache test uninstall".split()
+)
+
 
 def check_name(file: str, name: str) -> None:
     """Raise InputError unless the name can be the prefix of C, and the name of a module."""
@@ -59,6 +64,7 @@ def _problem(name: str) -> str:
         ("is a keyword of Python", keyword.iskeyword(name) or keyword.issoftkeyword(name)),
         ("would hide the Python module of that name", name in OWN_MODULES),
         ("names a device on Windows", name.lower() in DEVICES),
+        ("is a target of CMake or a library it links", name.lower() in TARGETS_OF_OTHERS),
     )
     return next((problem for problem, is_so in taken if is_so), "")
 

@@ -89,6 +89,7 @@ BAD = [
     ("name_python", named('"lambda"'), "name", "identifier", "of Python", '"vehicle_lambda"'),
     ("name_module", named('"numpy"'), "name", "no one else's", "hide", '"vehicle_numpy"'),
     ("name_device", named('"aux"'), "name", "no one else's", "Windows", '"vehicle_aux"'),
+    ("name_target", named('"install"'), "name", "no one else's", "CMake", '"vehicle_install"'),
     ("name_scalar", named('"body_f64"'), "name", "not ending in _f32", "'body_f64'", '"body"'),
     ("no_group", GOOD.replace('group = "SO3"', ""), "group", "SO3", "missing", "write group ="),
     ("group_table", GOOD.replace('"SO3"', "{dim = 3}"), "group.dim", "basis", "unknown", "name"),
