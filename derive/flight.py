@@ -24,6 +24,7 @@ from derive.vehicle import InputError, Vehicle, check_facts, resolve
 ROOM = "make room there, or let the variable TMPDIR name another folder"
 LARGEST_TURN = 32  # rad, of the first error: five times around
 MOST_STEPS = 10**6  # of one run: what it records takes 1 GB, and hours
+COARSEST = 10  # steps in the time in which a reference changes, at the least
 TURN, SPEED = 0.5, 0.1  # of every coordinate at the start, where the vehicle file says nothing
 
 
@@ -106,7 +107,7 @@ def setting_of(
     setting = Setting(
         seconds=float(asked.duration),
         rate=rate,
-        longest=_step(vehicle, made, reference, rate),
+        longest=_step(vehicle, given, made, reference, rate),
         hertz=float(asked.hertz),
         force_limit=tuple(map(float, asked.force_limit)) or None,
         noise_g=float(asked.noise_g),
@@ -140,14 +141,27 @@ def _check_together(vehicle: Vehicle, given: Mapping[str, Any], rate: float | No
         raise InputError(*blamed(vehicle, given, "hertz", "wave"), expected, found, remedy)
 
 
-def _step(vehicle: Vehicle, made: Craft, reference: Reference, rate: float | None) -> float:
-    """The one that is given, or one that resolves what is known to be fast."""
+def _step(
+    vehicle: Vehicle,
+    given: Mapping[str, Any],
+    made: Craft,
+    reference: Reference,
+    rate: float | None,
+) -> float:
+    """The one that is given, or one that resolves what is known to be fast. Raises InputError."""
     asked = vehicle.experiment
     if asked.step is not None:
+        most = reference.brief / COARSEST
+        if float(asked.step) > most:
+            expected = f"at most {most:g} s: the reference changes within {reference.brief:g} s"
+            found = f"{float(asked.step):g} s"
+            remedy = "shorten it, or leave it out for one that fits"
+            raise InputError(*blamed(vehicle, given, "step"), expected, found, remedy)
         return float(asked.step)
     hertz = float(asked.hertz) if any(asked.wave) else 0.0
     nu = _column(asked.nu, space_of(made).dim, SPEED)
-    return longest(made, rate, swiftness(made, reference, nu, hertz, float(asked.duration)))
+    swift = swiftness(made, reference, nu, hertz, float(asked.duration))
+    return longest(made, rate, swift, reference.brief)
 
 
 def stated(vehicle: Vehicle, made: Craft, reference: Reference) -> Runs:

@@ -74,9 +74,15 @@ class Flown:
         drawn = "" if self.asked.seed is None else f", seed {self.asked.seed}"
         head = (
             f"{self.craft.name}: {self.craft.controller} on {self.craft.group}, "
-            f"{self.asked.backend}, {pace}, {self.flight.t[-1]:g} s{drawn}"
+            f"{self.asked.backend}, {pace}, {self._flown()}{drawn}"
         )
         return tell.table(head, group_of(self.craft), self.found, self.invariants)
+
+    def _flown(self) -> str:
+        """How long it is: where the force is held, a flight ends with its last whole period."""
+        flown, asked = float(self.flight.t[-1]), self.setting.seconds
+        is_whole = abs(flown - asked) <= 1e-9 * asked
+        return f"{asked:g} s" if is_whole else f"{flown:g} of {asked:g} s, in whole periods"
 
     def as_json(self) -> str:
         """Everything, trajectory included."""
@@ -86,7 +92,8 @@ class Flown:
             "controller": made.controller, "gains": dict(made.gains),
             "inertia": list(made.inertia), "backend": asked.backend, "seed": asked.seed,
             "spread": None if asked.seed is None else {"box": asked.box, "speed": asked.speed},
-            "settle": asked.settle, "experiment": decimal(asdict(self.vehicle.experiment)),
+            "flown": float(self.flight.t[-1]), "settle": asked.settle,
+            "experiment": decimal(asdict(self.vehicle.experiment)),
         }  # fmt: skip
         group = group_of(made)
         return tell.as_json(head, group, self.setting, self.flight, self.found, self.invariants)

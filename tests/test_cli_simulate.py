@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -196,3 +198,29 @@ def test_a_bad_file_is_refused_before_anything_is_flown(
 ) -> None:
     flown.add(more)
     assert told in refused(flown.body.parent, "simulate", str(flown.body), home=home)
+
+
+@pytest.mark.parametrize("slew", ["0.05", "0.2"])
+def test_a_slew_is_resolved_however_short(slew: str, flown: Command, tmp_path: Path) -> None:
+    """The reference ends where it should, and W falls as it must."""
+    with flown.body.open("a") as file:
+        file.write(f"\n[reference]\nalong = [0.0, 0.6, 0.8]\nduration = {slew}\n")
+    done = flown("--duration", "1", "--out", str(tmp_path / "out"))
+    assert done.code == 0, done.out + done.err
+    assert re.search(r"W = W\(0\) exp\(-2 k_s t\) +holds", done.out)
+    kept = json.loads((tmp_path / "out" / "flight.json").read_text())["trajectory"]["g_r"][-1]
+    assert math.acos((kept[0] + kept[4] + kept[8] - 1) / 2) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_a_step_that_skips_a_slew_is_refused(flown: Command) -> None:
+    with flown.body.open("a") as file:
+        file.write("\n[reference]\nalong = 0.5\nduration = 0.01\n")
+    done = flown("--duration", "1", "--step", "0.005")
+    assert done.code == 2
+    assert "command line: --step" in done.err
+    assert "at most 0.001 s" in done.err
+
+
+def test_a_flight_ends_with_a_whole_period_and_says_so(flown: Command) -> None:
+    done = flown("--duration", "2.8", "--rate", "0.7")
+    assert "1.42857 of 2.8 s, in whole periods" in done.out.splitlines()[0]

@@ -106,7 +106,9 @@ def test_a_slew_is_as_long_as_written() -> None:
     motion = followed("SO3", said)
     assert motion.at(2.9)[0].any()
     assert not motion.at(3.0)[0].any()
-    np.testing.assert_allclose(motion.at(1.5)[0][:, 0], np.array(RATE) * 15 / 8 / 3, rtol=1e-15)
+    np.testing.assert_allclose(
+        motion.at(1.5)[0][:, 0], np.array(RATE) * 2772 / 1024 / 3, rtol=1e-15
+    )
 
 
 def refusal(act: Callable[[], object]) -> InputError:

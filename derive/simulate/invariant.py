@@ -135,7 +135,8 @@ def _freedom(loop: Loop) -> list[Invariant]:
 
 def _answered(flight: Flight) -> Invariant:
     """Instants at which the controller refused its input, or found what it leads to not finite."""
-    return Invariant("no state is refused", float((flight.status >= REFUSED).sum()), 0.0)
+    bad = (flight.status >= REFUSED) | ~np.isfinite(flight.energy)
+    return Invariant("no state is refused", float(bad.sum()), 0.0)
 
 
 def _of(values: Array, column: int) -> Array:

@@ -14,17 +14,19 @@ from derive.simulate.space import Array, space_of
 SLOW, SAMPLED = 0.025, 0.01  # s, the longest step of a continuous and of a sampled loop
 PART = 0.1  # of the fastest time constant: a step of order 6 then errs by 1e-11
 PHASE = (0.02, 0.1)  # rad in a step of order 4 and of order 6: both then err by about 1e-10
+SHARE = 100  # steps in the time in which a reference changes
 LOOKS = 200  # at a reference, over the duration
 NUDGE = 1e-3  # of the velocity, in its units
 
 
-def longest(craft: Craft, rate: float | None, swift: float = 0.0) -> float:
+def longest(craft: Craft, rate: float | None, swift: float = 0.0, brief: float = math.inf) -> float:
     """The longest step, s, for a controller of that rate in Hz, None for a continuous one.
 
-    swift: how fast anything turns besides, rad/s. With the force held the plant alone is
-    integrated, whose motion does not depend on gains.
+    swift: how fast anything turns besides, rad/s; brief: of the reference, s. With the force held
+    the plant alone is integrated, whose motion does not depend on gains.
     """
     answer = SAMPLED if rate is not None else min(SLOW, PART / fastest(craft))
+    answer = min(answer, brief / SHARE)
     return min(answer, PHASE[rate is None] / swift) if swift else answer
 
 
@@ -34,7 +36,8 @@ def swiftness(craft: Craft, reference: Reference, nu: Array, hertz: float, secon
     nu: first velocity (n, 1); hertz: of a periodic disturbance, 0 for none
     """
     turns = space_of(craft).turns
-    seen = [reference.at(seconds * i / LOOKS)[0] for i in range(LOOKS + 1)]
+    spans = (seconds, min(seconds, reference.brief))
+    seen = [reference.at(span * i / LOOKS)[0] for span in spans for i in range(LOOKS + 1)]
     speeds = [float(np.linalg.norm(one[turns])) for one in (nu, *seen)]
     return max(*speeds, 2 * math.pi * hertz)
 

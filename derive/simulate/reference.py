@@ -6,6 +6,7 @@ hat(nu_r) holds whatever the group is.
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,11 +23,13 @@ class Reference:
     """g_r(0), (k, 1), and t -> nu_r and nu_r', (n, 1) each, velocities in its own body frame.
 
     is_at_rest: it never leaves the identity, which is all that `reaching` knows
+    brief:      seconds in which it has changed; infinite where it never does
     """
 
     start: Array
     at: Callable[[float], tuple[Array, Array]]
     is_at_rest: bool = False
+    brief: float = math.inf
 
 
 @dataclass(frozen=True)
@@ -61,18 +64,20 @@ def steady(start: Array, nu_r: Array) -> Reference:
 
 
 def slew(start: Array, along: Array, seconds: float) -> Reference:
-    """From rest to rest along exp(hat(along)), (n, 1), at a speed of 30 p^2 (1 - p)^2/seconds.
+    """From rest to rest along exp(hat(along)), (n, 1), at a speed of 2772 p^5 (1 - p)^5/seconds.
 
-    p = t/seconds; velocity and acceleration are continuous, and both are zero at the ends.
+    p = t/seconds. Velocity and five rates of it are zero at the ends, so that a step of order 6
+    which ends a little after the slew loses nothing.
     """
 
     def at(t: float) -> tuple[Array, Array]:
         p = min(max(t / seconds, 0.0), 1.0)
-        speed = 30 * p * p * (1 - p) * (1 - p) / seconds
-        gain = 60 * p * (1 - p) * (1 - 2 * p) / (seconds * seconds)
+        bump = (p * (1 - p)) ** 4
+        speed = 2772 * bump * p * (1 - p) / seconds
+        gain = 13860 * bump * (1 - 2 * p) / (seconds * seconds)
         return along * speed, along * gain
 
-    return Reference(start, at)
+    return Reference(start, at, brief=seconds)
 
 
 def tabled(start: Array, times: Array, nu_r: Array, nu_r_dot: Array) -> Reference:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from derive.simulate.chunk import Rows
+from derive.simulate.pilot import REFUSED
 
 QUANTILES = (0.05, 0.5, 0.95)
 MEASURED = {
@@ -48,6 +49,7 @@ def text(found: Mapping[str, Any]) -> str:
     share = 100 * found["share_settled"]
     lines = [
         f"settled    {found['settled']} of {found['runs']} runs, {share:.2f} %",
+        *_refused(found),
         f"crossings  {found['crossings']} of the cut, in {found['runs_that_cross']} runs",
         "",
         f"{'':14}{'5 %':>12}{'50 %':>12}{'95 %':>12}",
@@ -57,6 +59,12 @@ def text(found: Mapping[str, Any]) -> str:
         cells = "".join(f"{'-' if x is None else f'{x:.4g}':>12}" for x in values)
         lines.append(f"{name:14}{cells}  {unit}")
     return "\n".join(lines)
+
+
+def _refused(found: Mapping[str, Any]) -> list[str]:
+    """How many runs met a state that the controller refused, where there are any."""
+    runs = sum(n for status, n in found["worst_status"].items() if int(status) >= REFUSED)
+    return [f"refused    a state in {runs} of {found['runs']} runs"] if runs else []
 
 
 def _quantiles(values: NDArray[Any]) -> list[float] | None:

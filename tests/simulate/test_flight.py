@@ -75,7 +75,7 @@ def apart(found: Body, i: int, wanted: Sequence[Array]) -> float:
 @each_case
 def test_a_continuous_loop_is_that_of_the_differential_equation(case: Case) -> None:
     one, motion = craft(*case[:3]), reference(case[3], case[0])
-    met, asked = runs(one), setting()
+    met, asked = runs(one), setting(step=longest(one, None, brief=motion.brief))
     found = end(Loop(one, "numpy", motion, asked, met))
     assert apart(found, 0, Plain(one, motion, asked, met).flown()) < 1e-9
 
