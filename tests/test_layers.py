@@ -55,9 +55,14 @@ OWN = {
     "derive.simulate": (
         *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
     ),
+    "derive.evidence": (
+        *("derive.lie.kernel", "derive.routine", "derive.emit", "derive.native"),
+        "derive.verify",
+    ),
     "derive.pipeline": (
         *("derive.lie", "derive.routine", "derive.control", "derive.emit", "derive.native"),
-        *("derive.verify", "derive.explain", "derive.simulate", "derive.vehicle"),
+        *("derive.verify", "derive.explain", "derive.simulate", "derive.evidence"),
+        "derive.vehicle",
     ),
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
@@ -92,6 +97,7 @@ THIRD_PARTY = {
     "derive.verify": ("mpmath", "numpy", "sympy"),
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),
+    "derive.evidence": ("numpy",),
     "derive.simulate": ("numpy", "scipy"),
     "derive.simulate.picture": ("matplotlib", "numpy"),
     "derive.simulate.sphere": ("matplotlib", "numpy"),

@@ -1,0 +1,83 @@
+"""Tools of other makers: where they are, how to get them, and that none is waited for for ever."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import signal
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+SAID = 2000  # characters of a tool's last words that are kept
+
+
+@dataclass(frozen=True)
+class Tool:
+    """A command, and the packages that bring it.
+
+    install: what a person types to get it
+    """
+
+    command: str
+    install: str
+
+    @property
+    def path(self) -> str:
+        """Where it is; raises ToolMissing."""
+        found = shutil.which(self.command)
+        if not found:
+            raise ToolMissing(self)
+        return found
+
+
+class ToolMissing(Exception):
+    """A tool is not on PATH; what to do is in the text."""
+
+    def __init__(self, tool: Tool) -> None:
+        self.tool = tool
+        super().__init__(f"{tool.command} is not on PATH; get it with: {tool.install}")
+
+
+class ToolFailed(Exception):
+    """A tool ended with an error, or did not end in time; its command and last words are kept."""
+
+    def __init__(self, command: Sequence[str], why: str, said: str) -> None:
+        self.command, self.why, self.said = tuple(command), why, said[-SAID:]
+        super().__init__(f"{command[0]} {why}\n  command: {shlex.join(command)}\n{self.said}")
+
+
+def run(
+    command: Sequence[str], seconds: float, folder: Path | None = None, fed: str = "",
+    codes: Sequence[int] = (0,),
+) -> str:  # fmt: skip
+    """What a command wrote on both streams, in order.
+
+    seconds: after which it and all it started are killed
+    fed: its standard input; codes: exit codes that are no failure
+    Raises ToolFailed.
+    """
+    process = subprocess.Popen(
+        command, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True,
+    )  # fmt: skip
+    try:
+        said, _ = process.communicate(fed, timeout=seconds)
+    except subprocess.TimeoutExpired:
+        said = _killed(process)
+        raise ToolFailed(command, f"did not end within {seconds:g} s", said) from None
+    except BaseException:
+        _killed(process)
+        raise
+    if process.returncode not in codes:
+        raise ToolFailed(command, f"ended with {process.returncode}", said)
+    return said
+
+
+def _killed(process: subprocess.Popen[str]) -> str:
+    """End a process with all that it started; what it had said."""
+    os.killpg(process.pid, signal.SIGKILL)
+    said, _ = process.communicate()
+    return said
