@@ -69,7 +69,7 @@ def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.border import border
     from derive.control.kinematic import laws_of
-    from derive.emit.package import package
+    from derive.emit.package import Parts, package
     from derive.theory import cautions
 
     facts = resolve(vehicle)
@@ -88,8 +88,13 @@ def derived(vehicle: Vehicle) -> Printed:
         "element_shape": list(group.shape),
         "is_pole": law.is_pole,
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
+        "is_bounded": list(parts.guard.is_bounded),
+        "saturation": vehicle.limits.saturation,
     }
-    data = package(vehicle.name, parts.main, parts.public, parts.inner, described, border(group))
+    guard = parts.guard
+    whole = Parts(parts.main, parts.public, guard.error, guard.law, guard.drift, parts.inner,
+                  border(group))  # fmt: skip
+    data = package(vehicle.name, whole, described)
     return {
         "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
         "cautions": cautions(vehicle, group),
@@ -102,7 +107,8 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     if cached is None:
         return derived(vehicle)
     kept = ("name", "group", "own", "law", "controller", "pattern", "options")
-    name = cache.key(vehicle=[getattr(vehicle, field) for field in kept])
+    said = [getattr(vehicle, field) for field in kept]
+    name = cache.key(vehicle=[*said, vehicle.limits.saturation])
     data: Printed | None = cache.read(cached, name)
     if data is None:
         data = derived(vehicle)
@@ -245,4 +251,7 @@ def _values(vehicle: Vehicle) -> dict[str, Any]:
         "controller": vehicle.controller,
         "inertia": upper,
         "gains": vehicle.gains,
+        "force_limit": vehicle.limits.force,
+        "max_drift": vehicle.limits.drift,
+        "is_own": vehicle.own is not None,
     }

@@ -48,6 +48,7 @@ def environment() -> jinja2.Environment:
         prototype=prototype,
         narrow=narrow,
         leading=leading,
+        conjunction=conjunction,
     )
     return env
 
@@ -82,6 +83,13 @@ def prototype(line: str, then: int = 8) -> str:
 def pack(items: list[str], head: str) -> str:
     """A C declaration of several names, broken only between them."""
     return prototype(head + ", ".join(items) + ";")
+
+
+def conjunction(conditions: list[str], first: str = "    if (!(", indent: int = 12) -> str:
+    """Conditions of C that all have to hold, behind what stands first, broken before && only."""
+    kept = [one.replace(" ", "\0") for one in conditions]
+    line = (first + " && ".join(kept)).replace("if (", "if\0(").replace(" && ", " &&\0")
+    return fold(line, indent).replace("\0", " ")[len(first) :]
 
 
 def leading(term: list[str]) -> str:
@@ -150,14 +158,17 @@ def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str,
     def text(value: Fraction) -> str:
         return number(value, scalar)
 
+    drift = values["max_drift"] or kind.max_drift
     return {
         "vehicle": values["name"],
         "prefix": prefix,
         "macro": prefix.upper(),
         "scalar": kind,
-        "constants": [(name, text(value), doc) for name, value, doc in kind.constants()],
+        "constants": [(name, text(x), doc) for name, x, doc in kind.constants(values["is_own"])],
         "inertia": [text(value) for value in values["inertia"]],
         "gains": [(name, text(value)) for name, value in values["gains"]],
+        "force_limit": [text(value) for value in values["force_limit"]],
+        "max_drift": text(drift),
         "number": text,
     }
 
