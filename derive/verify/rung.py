@@ -30,6 +30,9 @@ FEW = (("1e-12", True), ("1e-2", True), ("0.5", True), ("2", True), ("2.5", True
 OWN = (("0", False), ("1e-12", False), ("1e-4", True), ("0.1", True), ("0.5", True), ("1", True))
 """Norms of hat(x) on a user's group, of whose elements only those near the identity are known."""
 
+SLOW, FAST = 2.0**-10, 2.0**9
+"""Paces, exact in every scalar, of a force that needs no limit and of one that does."""
+
 REFERENCES = 3
 """So many moving references take turns."""
 
@@ -48,6 +51,7 @@ class Rung:
     at_cut:    then all factors turn by it, otherwise the one whose turn it is
     axis:      by number; any where None
     of_state:  whether g is turned so, whatever the error is then
+    pace:      what velocities and loads are multiplied with
     """
 
     rest: str
@@ -55,6 +59,7 @@ class Rung:
     at_cut: bool = False
     axis: int | None = None
     of_state: bool = False
+    pace: float = 1.0
 
     def angle(self, cut: Any) -> Any:
         """The angle to 130 digits, of a factor with its cut there."""
@@ -63,7 +68,8 @@ class Rung:
     @property
     def doc(self) -> str:
         """It in words."""
-        what = "state" if self.of_state else "error"
+        what = {SLOW: "slow, ", FAST: "fast, "}.get(self.pace, "")
+        what += "state" if self.of_state else "error"
         if not self.at_cut:
             return f"{what} {self.rest} rad"
         rest = self.rest.lstrip("-")
@@ -72,7 +78,8 @@ class Rung:
 
 
 def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
-    """The rungs of a vehicle."""
+    """The rungs of a vehicle; a slow one and a fast one find the limits of a force."""
+    yield from (Rung("1e-4", False, pace=SLOW), Rung("0.5", True, pace=FAST))
     if vehicle.own is not None:
         yield from (Rung(rest, is_moving) for rest, is_moving in OWN)
         return
@@ -88,7 +95,7 @@ def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
 
 def _at_cut(vehicle: Plant, scalar: str) -> Iterator[Rung]:
     """Either side of the cut; last of all the middle of the ladder, which bad rows start from."""
-    near = ("-1e-3", "1e-3")
+    near: tuple[str, ...] = ("-1e-3", "1e-3")
     if vehicle.is_attitude:
         near = ("-1e-2", *near, "1e-2", f"-{CLOSE[scalar]}", CLOSE[scalar])
         yield from (Rung("0", False, True, axis) for axis in range(3))

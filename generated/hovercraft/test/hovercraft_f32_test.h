@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-#define HOVERCRAFT_F32_CASES 30
+#define HOVERCRAFT_F32_CASES 32
 
 /* The truth is of 130 digits, rounded once. Bits are FNV-1a, 32 bit, over the bytes of all
    numbers of a command in order, the lowest byte of each number first. */
@@ -24,7 +24,7 @@ typedef struct {
     hovercraft_f32_status status;
     uint32_t bits; /* of the command, the same on every target */
     float allowed[4]; /* largest error of a number in force, s, nu_u, nu_u_dot */
-    uint32_t bare[2]; /* bits of what reaching and plant give; 0 for refused inputs */
+    uint32_t bare[3]; /* bits of what tracking, reaching, plant give; 0 for refused inputs */
 } hovercraft_f32_case;
 
 extern const hovercraft_f32_case hovercraft_f32_cases[HOVERCRAFT_F32_CASES];

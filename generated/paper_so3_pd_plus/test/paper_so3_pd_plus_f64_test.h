@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-#define PAPER_SO3_PD_PLUS_F64_CASES 47
+#define PAPER_SO3_PD_PLUS_F64_CASES 49
 
 /* The truth is of 130 digits, rounded once. Bits are FNV-1a, 32 bit, over the bytes of all
    numbers of a command in order, the lowest byte of each number first. */
@@ -25,7 +25,7 @@ typedef struct {
     paper_so3_pd_plus_f64_status status;
     uint32_t bits; /* of the command, the same on every target */
     double allowed[3]; /* largest error of a number in force, s, nu_u */
-    uint32_t bare[1]; /* bits of what plant gives; 0 for refused inputs */
+    uint32_t bare[2]; /* bits of what tracking, plant give; 0 for refused inputs */
 } paper_so3_pd_plus_f64_case;
 
 extern const paper_so3_pd_plus_f64_case paper_so3_pd_plus_f64_cases[PAPER_SO3_PD_PLUS_F64_CASES];
