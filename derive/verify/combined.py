@@ -85,7 +85,7 @@ def _lsf_mended(body: Body, at: Known) -> dict[str, Vector]:
     return found | {"force": plus(found["force"], body.flat(_cross(body, at)))}
 
 
-def _pdplus(body: Body, at: Known) -> dict[str, Vector]:
+def _pd_plus(body: Body, at: Known) -> dict[str, Vector]:
     """Eqs. (Ctrls3), (s3)."""
     eta = minus(at["nu"], at["nu_e"])
     s = plus(at["nu_e"], times(body.gains["k_R"] / body.gains["k_Omega"], at["nu_u"]))
