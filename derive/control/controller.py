@@ -56,4 +56,4 @@ def routines(
     main, *others = (write(group, law, pattern, options) for write in WRITERS[controller])
     bare = tuple(d.without("clearance") for d in others)
     guard, definite = guarded(group, main), definiteness(group, pattern)
-    return Routines(main, (*bare, plant(group, pattern, options)), (definite,), guard)
+    return Routines(main.pruned(), (*bare, plant(group, pattern, options)), (definite,), guard)

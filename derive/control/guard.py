@@ -7,16 +7,14 @@ shows there, or cannot move the force.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy
 from sympy import Expr, Matrix, Poly, Symbol
 
+from derive.control.port import ERROR
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
-
-ERROR = "g_e"
-"""Name of the error, as a step of every law with a reference, and as what the rest takes."""
 
 
 @dataclass(frozen=True)
@@ -24,12 +22,14 @@ class Guarded:
     """A guarded law in its parts.
 
     error: from both configurations to g_e; None where the law has no reference
+    seen:  the same, as far as the law reads it
     law:   what is left of it: it takes g_e, or the configuration itself
     drift: square of the distance from the group; None where all numbers are elements
     is_bounded: which stored numbers the group keeps at most 1
     """
 
     error: Derivation | None
+    seen: Derivation | None
     law: Derivation
     drift: Derivation | None
     is_bounded: tuple[bool, ...]
@@ -37,12 +37,16 @@ class Guarded:
 
 def guarded(group: Group, main: Derivation) -> Guarded:
     """The parts of a law. Raises ValueError where it sees a configuration past the error."""
-    error, law = None, main
+    error, seen, law = None, None, main
     if any(step.quantity.name == ERROR for step in main.steps):
         error, law = main.parted(ERROR)
         if any(q.member == "g" for q in law.inputs):
             raise ValueError(f"{main.name}: {ERROR} is not all it knows of the configurations")
-    return Guarded(error, law, _drift(group, error), bounded(group))
+        quantity, entries = error.outputs[0]
+        read = zip(entries, law.used(quantity), strict=True)
+        seen = replace(error, outputs=[(quantity, tuple(x for x, is_read in read if is_read))])
+        seen = seen.pruned().needing()
+    return Guarded(error, seen, law, _drift(group, error), bounded(group))
 
 
 def _drift(group: Group, error: Derivation | None) -> Derivation | None:

@@ -26,6 +26,7 @@ class Parts:
 
     main: the law that `control` guards; public: the others that may be called
     error, law: main from the configurations to g_e, None without a reference, and the rest
+    seen: error as far as law reads it
     drift: square of the distance of g_e from the group; None where there is none
     inner: what only check_params calls
     border: from what drivers measure to a configuration, for the example
@@ -34,6 +35,7 @@ class Parts:
     main: Derivation
     public: Sequence[Derivation]
     error: Derivation | None
+    seen: Derivation | None
     law: Derivation
     drift: Derivation | None
     inner: Sequence[Derivation]
@@ -73,6 +75,7 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         "main": main,
         "routines": [main, *public, *inner],
         "error": declared(parts.error),
+        "seen": declared(parts.seen),
         "law": declared(parts.law),
         "drift": declared(parts.drift),
         "margins": more,

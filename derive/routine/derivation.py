@@ -114,9 +114,10 @@ class Derivation:
         entries = (value,) if quantity.is_scalar else tuple(value)
         self.outputs.append((quantity, tuple(sympy.sympify(entry) for entry in entries)))
 
-    def pruned(self) -> Derivation:
-        """The same derivation without the terms that no output needs."""
+    def pruned(self, keep: str = "") -> Derivation:
+        """The same derivation without the terms that no output needs; a step to keep stays whole."""
         needed = _symbols(entry for _, entries in self.outputs for entry in entries)
+        needed |= _symbols(x for s in self.steps if s.quantity.name == keep for x in s.symbols)
         kept: list[Step] = []
         for step in reversed(self.steps):
             terms = tuple((symbol, value) for symbol, value in step.terms if symbol in needed)

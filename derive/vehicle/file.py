@@ -69,7 +69,7 @@ class Vehicle:
     own: OwnGroup | None = None
     options: tuple[str, ...] = ()
     is_in_fluid: bool = False
-    limits: Limits = Limits()
+    limits: Limits = field(default_factory=Limits)
     experiment: Experiment = field(default_factory=Experiment)
 
     @property

@@ -1,4 +1,4 @@
-"""The [limits] table of a vehicle file: what the actuators give, and how far off a group is fine."""
+"""The [limits] table of a vehicle file: what the actuators give, and what drift is fine."""
 
 from __future__ import annotations
 

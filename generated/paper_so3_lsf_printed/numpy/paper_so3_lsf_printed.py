@@ -431,12 +431,15 @@ def _error(
         g_r[0], g_r[1], g_r[2], g_r[3], g_r[4], g_r[5], g_r[6], g_r[7], g_r[8]
     )
     # g_e: error, g_r^-1 g [1], eq. (velErr)
+    g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6
     g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6
     g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6
     g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7
+    g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7
     g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7
     g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8
     g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8
+    g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8
     # -- end --
     return (
         (g_e_0, g_e_1, g_e_2, g_e_3, g_e_4, g_e_5, g_e_6, g_e_7, g_e_8),

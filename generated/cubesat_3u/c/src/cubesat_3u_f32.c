@@ -136,6 +136,7 @@
 #include "cubesat_3u_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -629,6 +630,11 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
         cubesat_3u_f32_command *command)
 {
     float clearance;
+#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -696,6 +702,11 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
 
 cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *params)
 {
+#ifdef CUBESAT_3U_CHECK_POINTERS
+    if (params == NULL) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (cubesat_3u_f32_inspect(params->inertia, 6, CUBESAT_3U_F32_MAX_PARAM) != CUBESAT_3U_F32_OK) {

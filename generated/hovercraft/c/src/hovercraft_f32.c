@@ -130,6 +130,7 @@
 #include "hovercraft_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -601,6 +602,11 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
         hovercraft_f32_command *command)
 {
     float clearance;
+#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return HOVERCRAFT_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5];
@@ -669,6 +675,11 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
 
 hovercraft_f32_status hovercraft_f32_check_params(const hovercraft_f32_params *params)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS
+    if (params == NULL) {
+        return HOVERCRAFT_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (hovercraft_f32_inspect(params->inertia, 6, HOVERCRAFT_F32_MAX_PARAM) != HOVERCRAFT_F32_OK) {

@@ -130,6 +130,7 @@
 #include "hovercraft_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -625,6 +626,11 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
         hovercraft_f64_command *command)
 {
     double clearance;
+#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5];
@@ -693,6 +699,11 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
 
 hovercraft_f64_status hovercraft_f64_check_params(const hovercraft_f64_params *params)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS
+    if (params == NULL) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (hovercraft_f64_inspect(params->inertia, 6, HOVERCRAFT_F64_MAX_PARAM) != HOVERCRAFT_F64_OK) {

@@ -136,6 +136,7 @@
 #include "paper_s3_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -616,6 +617,11 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
         paper_s3_f32_command *command)
 {
     float clearance;
+#ifdef PAPER_S3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_S3_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
@@ -660,6 +666,11 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
 
 paper_s3_f32_status paper_s3_f32_check_params(const paper_s3_f32_params *params)
 {
+#ifdef PAPER_S3_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_S3_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (paper_s3_f32_inspect(params->inertia, 6, PAPER_S3_F32_MAX_PARAM) != PAPER_S3_F32_OK) {

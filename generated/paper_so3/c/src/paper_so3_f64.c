@@ -135,6 +135,7 @@
 #include "paper_so3_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -675,6 +676,11 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
         paper_so3_f64_command *command)
 {
     double clearance;
+#ifdef PAPER_SO3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -739,6 +745,11 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
 
 paper_so3_f64_status paper_so3_f64_check_params(const paper_so3_f64_params *params)
 {
+#ifdef PAPER_SO3_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_so3_f64_inspect(params->inertia, 6, PAPER_SO3_F64_MAX_PARAM) != PAPER_SO3_F64_OK) {

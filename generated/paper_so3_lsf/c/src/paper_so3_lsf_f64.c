@@ -69,6 +69,7 @@
 #include "paper_so3_lsf_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -331,6 +332,12 @@ paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_param
         paper_so3_lsf_f64_command *command)
 {
     double clearance;
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_LSF_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_LSF_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -340,12 +347,15 @@ paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_param
         g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
 
     /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
     const double g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
     const double g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
     const double g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
     const double g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
     const double g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
     const double g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+    const double g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
 
     /* -- end -- */
     if (!(fabs(g_e_1) <= PAPER_SO3_LSF_F64_MAX_ENTRY && fabs(g_e_2) <= PAPER_SO3_LSF_F64_MAX_ENTRY
@@ -392,6 +402,11 @@ paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_param
 
 paper_so3_lsf_f64_status paper_so3_lsf_f64_check_params(const paper_so3_lsf_f64_params *params)
 {
+#ifdef PAPER_SO3_LSF_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_LSF_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_so3_lsf_f64_inspect(params->inertia, 6, PAPER_SO3_LSF_F64_MAX_PARAM) !=

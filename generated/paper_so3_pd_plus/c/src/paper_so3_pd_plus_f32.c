@@ -103,6 +103,7 @@
 #include "paper_so3_pd_plus_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -432,6 +433,12 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
         paper_so3_pd_plus_f32_command *command)
 {
     float clearance;
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -503,6 +510,11 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
 paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_check_params(const paper_so3_pd_plus_f32_params
         *params)
 {
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (paper_so3_pd_plus_f32_inspect(params->inertia, 6, PAPER_SO3_PD_PLUS_F32_MAX_PARAM) !=

@@ -102,6 +102,7 @@
 #include "paper_so3_pd_plus_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -430,6 +431,12 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_control(const paper_so3_pd_pl
         paper_so3_pd_plus_f64_command *command)
 {
     double clearance;
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_PD_PLUS_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -501,6 +508,11 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_control(const paper_so3_pd_pl
 paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_check_params(const paper_so3_pd_plus_f64_params
         *params)
 {
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_PD_PLUS_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_so3_pd_plus_f64_inspect(params->inertia, 6, PAPER_SO3_PD_PLUS_F64_MAX_PARAM) !=

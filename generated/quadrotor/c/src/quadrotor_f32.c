@@ -130,6 +130,7 @@
 #include "quadrotor_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -571,6 +572,11 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         quadrotor_f32_command *command)
 {
     float clearance;
+#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
@@ -615,6 +621,11 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
 
 quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *params)
 {
+#ifdef QUADROTOR_CHECK_POINTERS
+    if (params == NULL) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (quadrotor_f32_inspect(params->inertia, 6, QUADROTOR_F32_MAX_PARAM) != QUADROTOR_F32_OK) {

@@ -130,6 +130,7 @@
 #include "quadrotor_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -584,6 +585,11 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
     double clearance;
+#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
@@ -628,6 +634,11 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
 
 quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *params)
 {
+#ifdef QUADROTOR_CHECK_POINTERS
+    if (params == NULL) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (quadrotor_f64_inspect(params->inertia, 6, QUADROTOR_F64_MAX_PARAM) != QUADROTOR_F64_OK) {

@@ -96,6 +96,7 @@
 #include "sl2_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -441,6 +442,11 @@ sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state
         const sl2_f32_reference *reference, sl2_f32_command *command)
 {
     float clearance;
+#ifdef SL2_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return SL2_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
@@ -494,6 +500,11 @@ sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state
 
 sl2_f32_status sl2_f32_check_params(const sl2_f32_params *params)
 {
+#ifdef SL2_CHECK_POINTERS
+    if (params == NULL) {
+        return SL2_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (sl2_f32_inspect(params->inertia, 6, SL2_F32_MAX_PARAM) != SL2_F32_OK) {

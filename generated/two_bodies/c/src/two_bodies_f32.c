@@ -306,6 +306,7 @@
 #include "two_bodies_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1435,6 +1436,11 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
         two_bodies_f32_command *command)
 {
     float clearance;
+#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -1578,6 +1584,11 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
 
 two_bodies_f32_status two_bodies_f32_check_params(const two_bodies_f32_params *params)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS
+    if (params == NULL) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[9];
     int i;
     if (two_bodies_f32_inspect(params->inertia, 45, TWO_BODIES_F32_MAX_PARAM) != TWO_BODIES_F32_OK)

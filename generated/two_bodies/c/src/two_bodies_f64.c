@@ -306,6 +306,7 @@
 #include "two_bodies_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1470,6 +1471,11 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
         two_bodies_f64_command *command)
 {
     double clearance;
+#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return TWO_BODIES_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -1608,6 +1614,11 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
 
 two_bodies_f64_status two_bodies_f64_check_params(const two_bodies_f64_params *params)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS
+    if (params == NULL) {
+        return TWO_BODIES_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[9];
     int i;
     if (two_bodies_f64_inspect(params->inertia, 45, TWO_BODIES_F64_MAX_PARAM) != TWO_BODIES_F64_OK)

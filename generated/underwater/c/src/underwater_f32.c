@@ -229,6 +229,7 @@
 #include "underwater_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1210,6 +1211,11 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
         underwater_f32_command *command)
 {
     float clearance;
+#ifdef UNDERWATER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return UNDERWATER_F32_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -1316,6 +1322,11 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
 
 underwater_f32_status underwater_f32_check_params(const underwater_f32_params *params)
 {
+#ifdef UNDERWATER_CHECK_POINTERS
+    if (params == NULL) {
+        return UNDERWATER_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[6];
     int i;
     if (underwater_f32_inspect(params->inertia, 21, UNDERWATER_F32_MAX_PARAM) != UNDERWATER_F32_OK)

@@ -228,6 +228,7 @@
 #include "underwater_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1245,6 +1246,11 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
         underwater_f64_command *command)
 {
     double clearance;
+#ifdef UNDERWATER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return UNDERWATER_F64_BAD_PARAMS;
+    }
+#endif
     /* -- tracking -- */
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
         g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
@@ -1350,6 +1356,11 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
 
 underwater_f64_status underwater_f64_check_params(const underwater_f64_params *params)
 {
+#ifdef UNDERWATER_CHECK_POINTERS
+    if (params == NULL) {
+        return UNDERWATER_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[6];
     int i;
     if (underwater_f64_inspect(params->inertia, 21, UNDERWATER_F64_MAX_PARAM) != UNDERWATER_F64_OK)
