@@ -43,7 +43,9 @@ class Covered:
         text = source.read_text(encoding="utf-8").splitlines()
         lost = [(n, "never run") for n in self.lost]
         untaken = [(n, f"{count} of its branches never taken") for n, count in self.untaken.items()]
-        return tuple(f"line {n}: {what}: {text[n - 1].strip()}" for n, what in sorted(lost + untaken))
+        return tuple(
+            f"line {n}: {what}: {text[n - 1].strip()}" for n, what in sorted(lost + untaken)
+        )
 
 
 def coverage(emitted: Emitted, folder: Path) -> tuple[Check, ...]:
@@ -80,7 +82,9 @@ def covered(
     counts = [path.name for path in folder.glob(f"*{emitted.source.stem}.gcda")]
     if len(counts) != 1:
         raise ToolFailed([str(program)], f"left {len(counts)} counts, not one", "")
-    said = run([gcov, "--json-format", "--stdout", "--branch-probabilities", *counts], SECONDS, folder)
+    said = run(
+        [gcov, "--json-format", "--stdout", "--branch-probabilities", *counts], SECONDS, folder
+    )
     return read(said, emitted.source)
 
 

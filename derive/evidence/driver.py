@@ -34,11 +34,10 @@ def compiled(
     """The emitted source and `sources` as a program; raises ToolMissing, ToolFailed."""
     program.parent.mkdir(parents=True, exist_ok=True)
     files = [str(path.absolute()) for path in (emitted.source, *sources)]
-    run(
-        [compiler.path, *FLAGS, *flags, f"-I{emitted.include.absolute()}", *files]
-        + ["-o", str(program.absolute()), "-lm"],
-        SECONDS, program.parent,
-    )  # fmt: skip
+    include = f"-I{emitted.include.absolute()}"
+    output = ["-o", str(program.absolute()), "-lm"]
+    command = [compiler.path, *FLAGS, *flags, include, *files, *output]
+    run(command, SECONDS, program.parent)
     return program
 
 
