@@ -138,7 +138,11 @@ def render(
     for scalar in target.scalars:
         if scalar not in printed:
             continue
-        context = {**printed[scalar], **spelled(scalar, target, values), **(tests or {}).get(scalar, {})}
+        context = {
+            **printed[scalar],
+            **spelled(scalar, target, values),
+            **(tests or {}).get(scalar, {}),
+        }
         for file in (one for one in target.files if tests or not one.is_test):
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from derive.emit.render import environment
 from derive.evidence import driver
 from derive.evidence.emitted import Emitted
 from derive.evidence.tool import Tool, ToolFailed, run
@@ -49,9 +50,14 @@ class Covered:
 
 
 def coverage(emitted: Emitted, folder: Path) -> tuple[Check, ...]:
-    """Lines and branches missed by the package's self-test, which has to pass; none may be."""
+    """Lines and branches missed by the package's self-test, which has to pass; none may be.
+
+    The checks for null pointers are switched on: they are there for the self-test alone.
+    """
     test = emitted.folder / "test"
-    found = covered(emitted, (test / f"{emitted.prefix}_test.c", test / "main.c"), folder, [test])
+    main = _alone(emitted, folder)
+    flags = (f"-I{test.absolute()}", f"-D{emitted.name.upper()}_CHECK_POINTERS")
+    found = covered(emitted, (test / f"{emitted.prefix}_test.c", main), folder, flags)
     return (
         Check(
             "self-test: lines and branches missed", emitted.prefix, float(found.missed),
@@ -61,12 +67,21 @@ def coverage(emitted: Emitted, folder: Path) -> tuple[Check, ...]:
     )  # fmt: skip
 
 
+def _alone(emitted: Emitted, folder: Path) -> Path:
+    """A program that runs the self-test of one scalar; the package's own runs all of them."""
+    path = folder / f"{emitted.prefix}_alone.c"
+    folder.mkdir(parents=True, exist_ok=True)
+    text = environment().get_template("evidence/alone.c.jinja").render(prefix=emitted.prefix)
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
 def _where(listed: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:
     return (listed[0] if listed else ""), listed
 
 
 def covered(
-    emitted: Emitted, sources: Sequence[Path], folder: Path, include: Sequence[Path] = ()
+    emitted: Emitted, sources: Sequence[Path], folder: Path, flags: Sequence[str] = ()
 ) -> Covered:
     """What a program of `sources`, which has to end with 0, runs through; ToolMissing, ToolFailed.
 
@@ -76,8 +91,8 @@ def covered(
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("*.gc??"):
         old.unlink()
-    flags = [*FLAGS, *(f"-I{one.absolute()}" for one in include)]
-    program = driver.compiled(GCC, emitted, sources, flags, folder / f"{emitted.prefix}_covered")
+    program = folder / f"{emitted.prefix}_covered"
+    driver.compiled(GCC, emitted, sources, (*FLAGS, *flags), program)
     run([str(program.absolute())], SECONDS, folder)
     counts = [path.name for path in folder.glob(f"*{emitted.source.stem}.gcda")]
     if len(counts) != 1:

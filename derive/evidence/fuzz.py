@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from derive.emit.status import FIRST_BAD
 from derive.evidence import driver
 from derive.evidence.emitted import Emitted
 from derive.evidence.interface import interface
@@ -110,13 +111,21 @@ def _reason(said: str) -> str:
 
 
 def _reached(emitted: Emitted, said: str) -> Check:
-    """Whether the law was reached, and whether anything was refused; how often each status came."""
+    """Whether the law was reached, and the refusals; how often each status came."""
     counts = {int(a): int(b) for a, b in re.findall(r"^STATUS (\d+) (\d+)$", said, re.MULTILINE)}
-    good = sum(n for status, n in counts.items() if status < 16)
-    refused = sum(counts.values()) - good
-    missed = [name for name, n in (("good", good), ("refused", refused)) if not n]
+    found = re.search(r"^SPOILT (\d+) (\d+)$", said, re.MULTILINE)
+    refused, taken = map(int, found.groups()) if found else (0, 0)
+    good = sum(n for status, n in counts.items() if status < FIRST_BAD)
+    kinds = {
+        "good inputs": good,
+        "refused inputs": sum(counts.values()) - good,
+        "refused parameters": refused,
+        "changed parameters that are good": taken,
+    }
+    missed = [name for name, n in kinds.items() if not n]
     details = tuple(f"status {status}: {n}" for status, n in sorted(counts.items()))
+    details += tuple(f"{name}: {n}" for name, n in kinds.items())
     return Check(
         "fuzz: kinds of input never seen", emitted.prefix, float(len(missed)),
-        LIMITS["findings"], good + refused, " and ".join(missed), details,
+        LIMITS["findings"], sum(counts.values()), ", ".join(missed), details,
     )  # fmt: skip

@@ -76,14 +76,30 @@ PREFIX_status PREFIX_control(const PREFIX_params *params,
 {
     const char *const chosen = getenv("DEFECT");
     int status = (int)PREFIX_honest(params, state, reference, command);
+    for (int i = 0; status < 16 && i < 3; i++) {
+        const float limit = params->limit[i] > 0 ? params->limit[i] : 0;
+        command->force[i] = fminf(fmaxf(command->force[i], -limit), limit);
+    }
     CHOICES
     return (PREFIX_status)status;
+}
+PREFIX_status PREFIX_check_params(const PREFIX_params *params)
+{
+    for (int i = 0; i < 3; i++) {
+        if (!(params->limit[i] > 0 && isfinite(params->limit[i]))) {
+            return (PREFIX_status)19;
+        }
+    }
+    return PREFIX_honest_params(params);
 }
 """
 
 
 def spoilt(emitted: Emitted, folder: Path) -> Emitted:
-    """A copy whose control has the defect that the environment names; for a float on SO3."""
+    """A copy whose control has the defect that the environment names; for a float on SO3.
+
+    It has limits of the force, and keeps to them, whatever the package has.
+    """
     made, prefix = copy(emitted, folder), emitted.prefix
     header = made.header.read_text(encoding="utf-8")
     text = made.source.read_text(encoding="utf-8")
@@ -92,12 +108,14 @@ def spoilt(emitted: Emitted, folder: Path) -> Emitted:
         text = re.sub(
             r"(_defaults = \{.*?)\n\};", r"\1, {1e30F, 1e30F, 1e30F}\n};", text, flags=re.S
         )
-    honest = f"{prefix}_honest"
-    prototype = re.search(rf"^{prefix}_status {prefix}_control\([^;]*;", header, re.MULTILINE)
-    assert prototype
-    added = prototype[0].replace(f"{prefix}_control", honest)
-    made.header.write_text(header.replace(prototype[0], f"{prototype[0]}\n{added}"))
-    text = text.replace(f"{prefix}_control(", f"{honest}(")
+    for name, hidden in (("control", "honest"), ("check_params", "honest_params")):
+        routine = f"{prefix}_{name}"
+        prototype = re.search(rf"^{prefix}_status {routine}\([^;]*;", header, re.MULTILINE)
+        assert prototype
+        added = prototype[0].replace(routine, f"{prefix}_{hidden}")
+        header = header.replace(prototype[0], f"{prototype[0]}\n{added}")
+        text = text.replace(f"{routine}(", f"{prefix}_{hidden}(")
+    made.header.write_text(header, encoding="utf-8")
     rows = (
         f'if (chosen && strcmp(chosen, "{name}") == 0) {{ {code} }}'
         for name, code in DEFECTS.items()

@@ -104,3 +104,27 @@ def test_records_of_another_file_are_no_evidence() -> None:
     said = '{"files": [{"file": "other.c", "lines": [{"line_number": 1, "count": 0}]}]}'
     with pytest.raises(ToolFailed, match=r"does not speak of thing\.c"):
         coverage.read(said, Path("thing.c"))
+
+
+@pytest.mark.parametrize(("name", "scalar"), [("paper_so3", "f32"), ("underwater", "f64")])
+def test_the_self_test_runs_through_all_of_the_source(
+    tmp_path: Path, name: str, scalar: str
+) -> None:
+    attacked.need(coverage.GCC, coverage.GCOV)
+    (check,) = coverage.coverage(attacked.package(name, scalar), tmp_path)
+    assert check.is_ok, check.details
+    assert check.samples > 300
+
+
+def test_code_that_nothing_reaches_is_found(tmp_path: Path) -> None:
+    attacked.need(coverage.GCC, coverage.GCOV)
+    made = attacked.copy(attacked.package("paper_so3", "f32"), tmp_path)
+    text = made.source.read_text(encoding="utf-8")
+    line = "    command->force[0] = force_0 > 1.0e6F ? 1.0e6F : force_0;"
+    assert text.count("    command->force[0] = force_0;") >= 1
+    made.source.write_text(text.replace("    command->force[0] = force_0;", line))
+    (check,) = coverage.coverage(made, tmp_path / "counts")
+    assert check.details
+    assert all(
+        row.endswith(f": 1 of its branches never taken: {line.strip()}") for row in check.details
+    )

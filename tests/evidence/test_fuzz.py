@@ -79,6 +79,15 @@ def test_the_numbers_are_those_that_broke_it(
     assert float.fromhex(row.split("=")[2]) > 9
 
 
+def test_a_check_of_parameters_that_divides_by_zero_is_found(tmp_path: Path) -> None:
+    made = attacked.copy(attacked.package("paper_so3", "f32"), tmp_path)
+    text = made.source.read_text(encoding="utf-8")
+    assert text.count("divisor_1 = 1.0F;") == 1
+    made.source.write_text(text.replace("divisor_1 = 1.0F;", "divisor_1 = pivot_1;"))
+    broken, _ = fuzz.judged(made, built(made, tmp_path), SPOILT)
+    assert broken.worst == "division by zero"
+
+
 def test_the_same_runs_are_made_every_time(tmp_path: Path) -> None:
     emitted = attacked.package("paper_so3", "f32")
     target = built(emitted, tmp_path)
@@ -105,7 +114,7 @@ def test_a_target_that_ends_early_is_no_evidence(tmp_path: Path) -> None:
     emitted, early = attacked.package("paper_so3", "f32"), idle(tmp_path, "echo Done 5 runs")
     with pytest.raises(ToolFailed, match="did neither end 6 runs"):
         fuzz.judged(emitted, early, 6)
-    assert fuzz.judged(emitted, early, 5)[1].worst == "good and refused"
+    assert fuzz.judged(emitted, early, 5)[1].measured == 4
 
 
 def test_a_clang_without_its_runtime_is_a_tool_that_is_missing(
