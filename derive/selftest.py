@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from derive.emit.selftest import selftest
+from derive.emit.selftest import selftest, written
 from derive.emit.target import TARGETS
 from derive.vehicle import Vehicle
 from derive.verify.combined import commands
@@ -46,8 +46,12 @@ def kept(vehicle: Vehicle, printed: Mapping[str, Any], *, is_pole: bool) -> dict
     judged, scalars = plant_of(vehicle), TARGETS[CODE].scalars
     if not is_known(judged):
         return {}
+    found = golden(judged, is_pole=is_pole, scalars=scalars)
+    for scalar, rows in found["rows"].items():
+        for row in rows:
+            row["written"] = written(printed[CODE][scalar], row["given"], scalar)
     programs = {scalar: program(printed[CODE][scalar], scalar) for scalar in scalars}
-    return {"programs": programs, **golden(judged, is_pole=is_pole, scalars=scalars)}
+    return {"programs": programs, **found}
 
 
 def tables(

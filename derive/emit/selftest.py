@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from derive.emit.literal import exact, nearest
+from derive.emit.render import fold
 from derive.emit.program import Given, Routine, bits, pack, run
 from derive.emit.status import FIRST_BAD, STATUSES
 
@@ -24,7 +25,8 @@ DIGITS = 130
 VALUE = {name: value for name, value, _ in STATUSES}
 
 Row = Mapping[str, Any]
-"""doc, given (input -> numbers), status, and outputs (name -> numbers, largest error) if good."""
+"""doc, given (input -> numbers), the same as `written`, status, and outputs (name -> numbers, largest
+error) where it is good."""
 
 
 def selftest(
@@ -72,29 +74,44 @@ def _bare(printed: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return [one for one in public if one["symbol"] == one["name"]]
 
 
+def written(printed: Mapping[str, Any], given: Mapping[str, Sequence[float]], scalar: str) -> str:
+    """State and reference of a row as C initialises them, which no inertia changes."""
+    return "\n".join(
+        braces([[_text(x, scalar) for x in given[field["name"]]] for field in one["fields"]])
+        for one in printed["structs"]
+        if one["name"] in ("state", "reference")
+    )
+
+
+def braces(members: Sequence[Sequence[str]]) -> str:
+    """A struct inside another, each of its members on lines of its own."""
+    each = [f"{{{', '.join(member)}}}" for member in members]
+    lines = ("{" + each[0], *each[1:])
+    ends = [","] * (len(lines) - 1) + ["},"]
+    return "\n".join(
+        fold(f"{' ' * (8 if place == 0 else 9)}{line}{end}", 10)
+        for place, (line, end) in enumerate(zip(lines, ends, strict=True))
+    )
+
+
 def _case(
     printed: Mapping[str, Any], routines: Mapping[str, Routine], row: Row, params: Given,
     scalar: str,
 ) -> dict[str, Any]:  # fmt: skip
     """One row as text; of a refused one the command is zero and nothing bare is called."""
     size = {one["member"]: one["size"] for one in printed["command"]}
-    is_good = VALUE[row["status"]] < FIRST_BAD
     zero = {name: ([0.0] * count, 0.0) for name, count in size.items()}
+    is_good = VALUE[row["status"]] < FIRST_BAD
     outputs = row["outputs"] if is_good else zero
     given = {**params, **row["given"]}
     found = {name: numbers for name, (numbers, _) in zero.items()}
     if is_good:
         found = routines[printed["main"]["symbol"]](given)
     given |= {"force": found["force"]}
-    structs = {one["name"]: one["fields"] for one in printed["structs"]}
     return {
         "doc": row["doc"],
-        **{
-            holder: [[_text(x, scalar) for x in row["given"][field["name"]]] for field in fields]
-            for holder, fields in structs.items()
-            if holder in ("state", "reference")
-        },
-        "truth": [[_text(float(x), scalar) for x in outputs[name][0]] for name in size],
+        "inputs": row["written"],
+        "truth": braces([[_text(float(x), scalar) for x in outputs[name][0]] for name in size]),
         "allowed": [_bound(outputs[name][1], scalar) for name in size],
         "status": row["status"],
         "bits": _hash([x for name in size for x in found[name]], scalar),
