@@ -48,11 +48,7 @@ class Scalar:
         return (
             ("MAX_INPUT", self.max_input, "largest magnitude of a number in state or reference"),
             ("MAX_ENTRY", self.max_entry, "of an entry of the error that the group keeps at 1"),
-            (
-                "MAX_REACH",
-                self.max_own if is_own else self.max_reach,
-                "of any other entry of the error",
-            ),
+            ("MAX_REACH", reach, "of any other entry of the error"),
             ("MOST_DRIFT", self.most_drift, "largest max_drift that may be asked for"),
             ("NEAR_CUT", self.near_cut, "clearance below which NEAR_CUT_LOCUS is flagged"),
             ("REFUSED_CUT", self.refused, "clearance below which a law with a pole is refused"),

@@ -115,7 +115,7 @@ class Derivation:
         self.outputs.append((quantity, tuple(sympy.sympify(entry) for entry in entries)))
 
     def pruned(self, keep: str = "") -> Derivation:
-        """The same derivation without the terms that no output needs; a step to keep stays whole."""
+        """The same derivation without terms that no output needs; what to keep stays whole."""
         needed = _symbols(entry for _, entries in self.outputs for entry in entries)
         needed |= _symbols(x for s in self.steps if s.quantity.name == keep for x in s.symbols)
         kept: list[Step] = []

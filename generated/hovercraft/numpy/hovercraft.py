@@ -646,8 +646,11 @@ def _definiteness(
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
     inertia_0, inertia_2, inertia_3, inertia_5 = inertia[0], inertia[2], inertia[3], inertia[5]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    divisor_0_if_0 = inertia_0.real > 0.0
+    divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
-    lower_20 = inertia_2/inertia_0
+    lower_20 = inertia_2/divisor_0
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_5 - inertia_0*lower_20*lower_20
     # -- end --

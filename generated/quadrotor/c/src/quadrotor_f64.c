@@ -340,8 +340,16 @@ static void quadrotor_f64_definiteness(const quadrotor_f64_params *params, doubl
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* pivot_2: pivot of I [kg m^2] */
     const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;

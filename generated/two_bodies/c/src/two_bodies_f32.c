@@ -827,20 +827,44 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const float lower_40 = inertia_4/inertia_0;
+    const float lower_40 = inertia_4/divisor_0;
+
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_1;
+    if (inertia_9 > 0.0F) {
+        divisor_1 = inertia_9;
+    } else {
+        divisor_1 = 1.0F;
+    }
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const float lower_31 = inertia_11/inertia_9;
+    const float lower_31 = inertia_11/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_2;
+    if (pivot_2 > 0.0F) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0F;
+    }
+
     /* lower_42: I = L D L^T, entry of L [1] */
-    const float lower_42 = -inertia_0*lower_20*lower_40/pivot_2;
+    const float lower_42 = -inertia_0*lower_20*lower_40/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_24 - inertia_9*lower_31*lower_31;
