@@ -130,7 +130,7 @@ def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
     first = next(iter(next(iter(used.values())).values()))
     files["trace.csv"] = trace(first, files)
     for target in targets(vehicle.targets):
-        files |= around(target, used[target.name], values)
+        files |= around(target, used[target.name], values, files)
     files[folder.MANIFEST] = manifest(__version__, values, first["routines"], files)
     return dict(sorted(files.items()))
 

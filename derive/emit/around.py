@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from derive.emit.deviation import DEVIATIONS, LONG, LONGEST, long_functions
 from derive.emit.render import environment, spelled
 from derive.emit.target import SCALARS, Target
 
@@ -16,16 +17,28 @@ MEASURED = ("0.6", "0.0", "0.0", "0.8")
 """What the example's attitude sensor reads: x, y, z, w, a turn of 74 degrees about axis one."""
 
 
-def around(target: Target, printed: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, str]:
-    """The files around all scalars of one target, {path: text}; the example uses the widest."""
+def around(
+    target: Target, printed: Mapping[str, Any], values: Mapping[str, Any], texts: Mapping[str, str]
+) -> dict[str, str]:
+    """The files around all scalars of one target, {path: text}; the example uses the widest.
+
+    texts: what was rendered of the target
+    """
     scalars = [scalar for scalar in target.scalars if scalar in printed]
     widest = scalars[-1]
     words = spelled(widest, target, values)
     built = _built(target, scalars, values["name"])
-    context = {**printed[widest], **words, **built, **_initial(printed[widest], words["number"])}
+    initial = _initial(printed[widest], words["number"])
+    context = {**printed[widest], **words, **built, **initial, **_departures(texts)}
     read = environment().get_template
     paths = {file.path.format(name=values["name"]): file.template for file in target.around}
     return {path: read(template).render(context) for path, template in paths.items()}
+
+
+def _departures(texts: Mapping[str, str]) -> dict[str, Any]:
+    """What DEVIATIONS.md lists."""
+    long = list(long_functions(texts))
+    return {"deviations": DEVIATIONS, "long": long, "longest": LONGEST, "why_long": LONG}
 
 
 def _built(target: Target, scalars: list[str], name: str) -> dict[str, Any]:

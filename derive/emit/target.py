@@ -83,6 +83,7 @@ TARGETS = {
             File("package/CMakeLists.txt.jinja", "CMakeLists.txt"),
             File("package/fragment.mk.jinja", "{name}.mk"),
             File("package/main.c.jinja", "example/main.c"),
+            File("package/DEVIATIONS.md.jinja", "DEVIATIONS.md"),
         ),
     ),
     "numpy": Target("numpy", ("f64",), (File("numpy/module.py.jinja", "numpy/{name}.py"),)),

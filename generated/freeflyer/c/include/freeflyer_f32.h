@@ -18,7 +18,6 @@ extern "C" {
 #define FREEFLYER_F32_MAX_INPUT 1.0e6F /* largest magnitude of a number in state or reference */
 #define FREEFLYER_F32_MAX_DRIFT 0.0001F /* largest residual of a configuration on the group */
 #define FREEFLYER_F32_NEAR_CUT 0.001F /* clearance below which NEAR_CUT_LOCUS is flagged */
-#define FREEFLYER_F32_REFUSED_CUT 1.0e-7F /* clearance below which a law with a pole is refused */
 #define FREEFLYER_F32_MAX_PARAM 1.0e9F /* largest magnitude of an inertia entry or a gain */
 
 /* The largest status that applies is returned; from 16 on the whole command is zero. */
@@ -27,7 +26,7 @@ typedef enum {
     FREEFLYER_F32_SATURATED = 1, /* a force limit was reached */
     FREEFLYER_F32_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     FREEFLYER_F32_NOT_ON_GROUP = 16, /* a configuration is off the group by more than MAX_DRIFT */
-    FREEFLYER_F32_OUT_OF_RANGE = 17, /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    FREEFLYER_F32_OUT_OF_RANGE = 17, /* above MAX_INPUT, or too near a pole of the law */
     FREEFLYER_F32_NONFINITE_INPUT = 18, /* an input, or what it leads to, is not finite */
     FREEFLYER_F32_BAD_PARAMS = 19 /* found by check_params */
 } freeflyer_f32_status;

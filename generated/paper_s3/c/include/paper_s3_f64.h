@@ -27,7 +27,7 @@ typedef enum {
     PAPER_S3_F64_SATURATED = 1, /* a force limit was reached */
     PAPER_S3_F64_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     PAPER_S3_F64_NOT_ON_GROUP = 16, /* a configuration is off the group by more than MAX_DRIFT */
-    PAPER_S3_F64_OUT_OF_RANGE = 17, /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    PAPER_S3_F64_OUT_OF_RANGE = 17, /* above MAX_INPUT, or too near a pole of the law */
     PAPER_S3_F64_NONFINITE_INPUT = 18, /* an input, or what it leads to, is not finite */
     PAPER_S3_F64_BAD_PARAMS = 19 /* found by check_params */
 } paper_s3_f64_status;

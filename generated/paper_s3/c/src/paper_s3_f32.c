@@ -134,8 +134,8 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     /* p: half of nu_u over v [1] */
     const float p = 0.5F*k;
 
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* drop: -dp/dw [1] */
+    const float drop = 0.5F*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const float nu_u_0 = 2.0F*p*v_0;
@@ -153,9 +153,9 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*drop + p*turn_0;
+    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*drop + p*turn_1;
+    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -340,8 +340,8 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     /* p: half of nu_u over v [1] */
     const float p = 0.5F*k;
 
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* drop: -dp/dw [1] */
+    const float drop = 0.5F*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const float nu_u_0 = 2.0F*p*v_0;
@@ -359,9 +359,9 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*drop + p*turn_0;
+    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*drop + p*turn_1;
+    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;

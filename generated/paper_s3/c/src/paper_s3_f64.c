@@ -146,8 +146,8 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;
 
-    /* fall: -dp/dw [1] */
-    const double fall = 0.5*h;
+    /* drop: -dp/dw [1] */
+    const double drop = 0.5*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
@@ -165,9 +165,9 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*fall + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*fall + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*fall + p*turn_2;
+    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*drop + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*drop + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -352,8 +352,8 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;
 
-    /* fall: -dp/dw [1] */
-    const double fall = 0.5*h;
+    /* drop: -dp/dw [1] */
+    const double drop = 0.5*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
@@ -371,9 +371,9 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*fall + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*fall + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*fall + p*turn_2;
+    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*drop + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*drop + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;

@@ -22,8 +22,6 @@ extern "C" {
 #define PAPER_SO3_LSF_PRINTED_F32_MAX_DRIFT 0.0001F
 /* clearance below which NEAR_CUT_LOCUS is flagged */
 #define PAPER_SO3_LSF_PRINTED_F32_NEAR_CUT 0.001F
-/* clearance below which a law with a pole is refused */
-#define PAPER_SO3_LSF_PRINTED_F32_REFUSED_CUT 1.0e-7F
 /* largest magnitude of an inertia entry or a gain */
 #define PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM 1.0e9F
 
@@ -34,7 +32,7 @@ typedef enum {
     PAPER_SO3_LSF_PRINTED_F32_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     /* a configuration is off the group by more than MAX_DRIFT */
     PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP = 16,
-    /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    /* above MAX_INPUT, or too near a pole of the law */
     PAPER_SO3_LSF_PRINTED_F32_OUT_OF_RANGE = 17,
     /* an input, or what it leads to, is not finite */
     PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT = 18,

@@ -22,8 +22,6 @@ extern "C" {
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_DRIFT 1.0e-6
 /* clearance below which NEAR_CUT_LOCUS is flagged */
 #define PAPER_SO3_LSF_PRINTED_F64_NEAR_CUT 0.001
-/* clearance below which a law with a pole is refused */
-#define PAPER_SO3_LSF_PRINTED_F64_REFUSED_CUT 1.0e-8
 /* largest magnitude of an inertia entry or a gain */
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_PARAM 1.0e9
 
@@ -34,7 +32,7 @@ typedef enum {
     PAPER_SO3_LSF_PRINTED_F64_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     /* a configuration is off the group by more than MAX_DRIFT */
     PAPER_SO3_LSF_PRINTED_F64_NOT_ON_GROUP = 16,
-    /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    /* above MAX_INPUT, or too near a pole of the law */
     PAPER_SO3_LSF_PRINTED_F64_OUT_OF_RANGE = 17,
     /* an input, or what it leads to, is not finite */
     PAPER_SO3_LSF_PRINTED_F64_NONFINITE_INPUT = 18,

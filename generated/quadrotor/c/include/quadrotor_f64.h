@@ -27,7 +27,7 @@ typedef enum {
     QUADROTOR_F64_SATURATED = 1, /* a force limit was reached */
     QUADROTOR_F64_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     QUADROTOR_F64_NOT_ON_GROUP = 16, /* a configuration is off the group by more than MAX_DRIFT */
-    QUADROTOR_F64_OUT_OF_RANGE = 17, /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    QUADROTOR_F64_OUT_OF_RANGE = 17, /* above MAX_INPUT, or too near a pole of the law */
     QUADROTOR_F64_NONFINITE_INPUT = 18, /* an input, or what it leads to, is not finite */
     QUADROTOR_F64_BAD_PARAMS = 19 /* found by check_params */
 } quadrotor_f64_status;

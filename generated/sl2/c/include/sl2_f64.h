@@ -18,7 +18,6 @@ extern "C" {
 #define SL2_F64_MAX_INPUT 1.0e6 /* largest magnitude of a number in state or reference */
 #define SL2_F64_MAX_DRIFT 1.0e-6 /* largest residual of a configuration on the group */
 #define SL2_F64_NEAR_CUT 0.001 /* clearance below which NEAR_CUT_LOCUS is flagged */
-#define SL2_F64_REFUSED_CUT 1.0e-8 /* clearance below which a law with a pole is refused */
 #define SL2_F64_MAX_PARAM 1.0e9 /* largest magnitude of an inertia entry or a gain */
 
 /* The largest status that applies is returned; from 16 on the whole command is zero. */
@@ -27,7 +26,7 @@ typedef enum {
     SL2_F64_SATURATED = 1, /* a force limit was reached */
     SL2_F64_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     SL2_F64_NOT_ON_GROUP = 16, /* a configuration is off the group by more than MAX_DRIFT */
-    SL2_F64_OUT_OF_RANGE = 17, /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    SL2_F64_OUT_OF_RANGE = 17, /* above MAX_INPUT, or too near a pole of the law */
     SL2_F64_NONFINITE_INPUT = 18, /* an input, or what it leads to, is not finite */
     SL2_F64_BAD_PARAMS = 19 /* found by check_params */
 } sl2_f64_status;

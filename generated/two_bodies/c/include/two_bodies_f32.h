@@ -19,7 +19,6 @@ extern "C" {
 #define TWO_BODIES_F32_MAX_INPUT 1.0e6F /* largest magnitude of a number in state or reference */
 #define TWO_BODIES_F32_MAX_DRIFT 0.0001F /* largest residual of a configuration on the group */
 #define TWO_BODIES_F32_NEAR_CUT 0.001F /* clearance below which NEAR_CUT_LOCUS is flagged */
-#define TWO_BODIES_F32_REFUSED_CUT 1.0e-7F /* clearance below which a law with a pole is refused */
 #define TWO_BODIES_F32_MAX_PARAM 1.0e9F /* largest magnitude of an inertia entry or a gain */
 
 /* The largest status that applies is returned; from 16 on the whole command is zero. */
@@ -28,7 +27,7 @@ typedef enum {
     TWO_BODIES_F32_SATURATED = 1, /* a force limit was reached */
     TWO_BODIES_F32_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
     TWO_BODIES_F32_NOT_ON_GROUP = 16, /* a configuration is off the group by more than MAX_DRIFT */
-    TWO_BODIES_F32_OUT_OF_RANGE = 17, /* above MAX_INPUT, or within REFUSED_CUT of a pole */
+    TWO_BODIES_F32_OUT_OF_RANGE = 17, /* above MAX_INPUT, or too near a pole of the law */
     TWO_BODIES_F32_NONFINITE_INPUT = 18, /* an input, or what it leads to, is not finite */
     TWO_BODIES_F32_BAD_PARAMS = 19 /* found by check_params */
 } two_bodies_f32_status;
