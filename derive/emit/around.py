@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from derive import __version__
 from derive.emit.deviation import DEVIATIONS, LONG, LONGEST, long_functions
 from derive.emit.render import environment, spelled
 from derive.emit.target import SCALARS, Target
@@ -42,7 +43,7 @@ def _departures(texts: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _built(target: Target, scalars: list[str], name: str) -> dict[str, Any]:
-    """sources and the roots that they call, by scalar, and the flags they are compiled with."""
+    """version, sources and the roots that they call, by scalar, and the flags of compilers."""
     paths = [
         file.path.format(name=name, scalar=scalar) for scalar in scalars for file in target.files
     ]
@@ -50,6 +51,7 @@ def _built(target: Target, scalars: list[str], name: str) -> dict[str, Any]:
         "sources": [path for path in paths if path.endswith(".c")],
         "roots": [f"sqrt{SCALARS[scalar].suffix}" for scalar in scalars],
         "flags": FLAGS,
+        "version": __version__,
     }
 
 

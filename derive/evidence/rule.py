@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from derive.evidence.diagnostic import compiled, tidied
+from derive.evidence.documentation import documented
 from derive.evidence.emitted import Emitted
 from derive.evidence.misra import misra
 from derive.evidence.symbol import symbols
@@ -16,6 +17,7 @@ KINDS: tuple[tuple[str, Callable[[Emitted], Iterator[Check]]], ...] = (
     ("clang-tidy", tidied),
     ("MISRA C:2012", misra),
     ("symbols", symbols),
+    ("doxygen", documented),
 )
 """What is looked at, and by what."""
 
