@@ -139,7 +139,7 @@ def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
     first = next(iter(next(iter(used.values())).values()))
     files["trace.csv"] = trace(first, files)
     for target in targets(vehicle.targets):
-        files |= around(target, used[target.name], values, has_test=bool(tests))
+        files |= around(target, used[target.name], values, files, has_test=bool(tests))
     files[folder.MANIFEST] = manifest(__version__, values, first["routines"], files)
     return dict(sorted(files.items()))
 

@@ -101,6 +101,7 @@ THIRD_PARTY = {
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),
     "derive.evidence": ("numpy",),
+    "derive.evidence.truncation": ("flint",),
     "derive.simulate": ("numpy", "scipy"),
     "derive.simulate.picture": ("matplotlib", "numpy"),
     "derive.simulate.sphere": ("matplotlib", "numpy"),

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from derive import __version__
+from derive.emit.deviation import DEVIATIONS, LONG, LONGEST, long_functions
 from derive.emit.render import environment, spelled
 from derive.emit.target import SCALARS, Target
 
@@ -17,18 +19,29 @@ MEASURED = ("0.6", "0.0", "0.0", "0.8")
 
 
 def around(
-    target: Target, printed: Mapping[str, Any], values: Mapping[str, Any], *, has_test: bool = False
-) -> dict[str, str]:
-    """The files around all scalars of one target, {path: text}; the example uses the widest."""
+    target: Target, printed: Mapping[str, Any], values: Mapping[str, Any],
+    texts: Mapping[str, str], *, has_test: bool = False,
+) -> dict[str, str]:  # fmt: skip
+    """The files around all scalars of one target, {path: text}; the example uses the widest.
+
+    texts: what was rendered of the target; has_test: whether the package tests itself
+    """
     scalars = [scalar for scalar in target.scalars if scalar in printed]
     widest = scalars[-1]
     words = spelled(widest, target, values)
     built = _built(target, scalars, values["name"], has_test)
-    context = {**printed[widest], **words, **built, **_initial(printed[widest], words["number"])}
+    initial = _initial(printed[widest], words["number"])
+    context = {**printed[widest], **words, **built, **initial, **_departures(texts)}
     read = environment().get_template
     files = [file for file in target.around if has_test or not file.is_test]
     paths = {file.path.format(name=values["name"]): file.template for file in files}
     return {path: read(template).render(context) for path, template in paths.items()}
+
+
+def _departures(texts: Mapping[str, str]) -> dict[str, Any]:
+    """What DEVIATIONS.md lists."""
+    long = list(long_functions(texts))
+    return {"deviations": DEVIATIONS, "long": long, "longest": LONGEST, "why_long": LONG}
 
 
 def _built(target: Target, scalars: list[str], name: str, has_test: bool) -> dict[str, Any]:
@@ -46,6 +59,7 @@ def _built(target: Target, scalars: list[str], name: str, has_test: bool) -> dic
         "prefixes": [f"{name}_{scalar}" for scalar in scalars],
         "roots": [f"sqrt{SCALARS[scalar].suffix}" for scalar in scalars],
         "flags": FLAGS,
+        "version": __version__,
     }
 
 

@@ -21,6 +21,14 @@ WIDTH = 100
 BRIEF = {"control force": "force", "kinematic law": "law"}
 """What a command holds, where nothing else can be meant."""
 
+ABOUT = {
+    "params": "inertia and gains, from the vehicle file or tuned on the target",
+    "state": "what is measured",
+    "reference": "where to be, and how that moves",
+    "command": "what is to be done, and what it was made of",
+}
+"""What the structs of an emitted header are for."""
+
 
 @cache
 def environment() -> jinja2.Environment:
@@ -72,8 +80,8 @@ def narrow(text: str) -> str:
 def _narrow(line: str) -> str:
     """Put the remark at the end of a line above it; then break at spaces."""
     indent = " " * (len(line) - len(line.lstrip()))
-    code, mark, remark = line.partition(" /* ")
-    lines = [f"{indent}/* {remark}", code] if mark and code.strip() else [line]
+    found = re.fullmatch(r"(.*\S) (/\*\*?)<? (.*)", line)
+    lines = [f"{indent}{found[2]} {found[3]}", found[1]] if found else [line]
     return "\n".join(fold(one, indent + " " * 8) for one in lines)
 
 
@@ -180,6 +188,7 @@ def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str,
         "force_limit": [text(value) for value in values["force_limit"]],
         "max_drift": text(drift),
         "number": text,
+        "about": ABOUT,
     }
 
 

@@ -107,6 +107,7 @@ TARGETS = {
             File("package/fragment.mk.jinja", "{name}.mk"),
             File("package/main.c.jinja", "example/main.c"),
             File("test/main.c.jinja", "test/main.c", is_test=True),
+            File("package/DEVIATIONS.md.jinja", "DEVIATIONS.md"),
         ),
     ),
     "numpy": Target("numpy", ("f64",), (File("numpy/module.py.jinja", "numpy/{name}.py"),)),

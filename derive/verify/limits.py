@@ -54,6 +54,11 @@ _TABLE = (
     Limit("emit, cached", 0.35, "s", "as above, a new inertia of a known pattern"),
     Limit("help", 0.15, "s", "derive --help"),
     Limit("by hand", 1.1, "times", "operations of tracking over a count by hand, SE3 and SE2"),
+    Limit("kernel k", 1.5, "eps", "k alone: half of what the log may be off"),
+    Limit("kernel h", 4, "eps", "h alone: what the rate may be off, and it is times s^2 there"),
+    Limit("kernel m", 16, "eps", "m alone: its terms alternate; it is times s^2 or smaller"),
+    Limit("kernel proof", 1, "times", "an error that was found over the bound that was proved"),
+    Limit("findings", 0, "findings", "what a tool may find against the rules, or a rule without"),
     Limit("loop", 1e-8, "relative", "W against W(0) exp(-2 k_s t) over 8 s, every group"),
 )
 

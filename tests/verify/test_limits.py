@@ -37,6 +37,11 @@ PROMISED = {
     "prove": (15, "s"),
     "prove_se3": (60, "s"),
     "by hand": (1.1, "times"),
+    "kernel k": (1.5, "eps"),
+    "kernel h": (4, "eps"),
+    "kernel m": (16, "eps"),
+    "kernel proof": (1, "times"),
+    "findings": (0, "findings"),
     "loop": (1e-8, "relative"),
 }
 

@@ -65,9 +65,9 @@ v_2*v_2)']], 'cases': []}, {'name': 'distance', 'size': 1, 'unit': '1', 'doc': '
 'cases': [{'condition': 'w.real < 0.0', 'lines': [['distance', 'np.sqrt(v_0*v_0 + v_1*v_1 +
 v_2*v_2)']]}, {'condition': '', 'lines': [['distance', '1.0']]}]}, {'name': 'p', 'size': 1, 'unit':
 '1', 'doc': 'half of nu_u over v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'fall', 'size': 1, 'unit': '1',
-'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['fall'],
-'lines': [['fall', '0.5*h']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
+'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'drop', 'size': 1, 'unit': '1',
+'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['drop'],
+'lines': [['drop', '0.5*h']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
 'kinematic law, half the rotation vector', 'source': 'eq. (KinCtrlLawS3)', 'is_scalar': False,
 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
 '2.0*p*v_0'], ['nu_u_1', '2.0*p*v_1'], ['nu_u_2', '2.0*p*v_2']], 'cases': []}, {'name': 'turn',
@@ -79,9 +79,9 @@ nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu
 [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2',
 'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc':
 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5*nu_e_0 + bend_0*fall +
-p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*fall + p*turn_1'], ['nu_u_dot_2', '0.5*nu_e_2 +
-bend_2*fall + p*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
+['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5*nu_e_0 + bend_0*drop +
+p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*drop + p*turn_1'], ['nu_u_dot_2', '0.5*nu_e_2 +
+bend_2*drop + p*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0',
 'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'],
 ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
@@ -146,7 +146,7 @@ OK = 0  # the command is good
 SATURATED = 1  # a force limit was reached
 NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps
 NOT_ON_GROUP = 16  # the error is off the group by more than max_drift
-OUT_OF_RANGE = 17  # beyond MAX_INPUT, or within REFUSED_CUT of a pole
+OUT_OF_RANGE = 17  # beyond MAX_INPUT, or too near a pole of the law
 NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite
 BAD_PARAMS = 19  # found by check_params
 
@@ -467,8 +467,8 @@ def _law(
     distance = np.where(distance_if_0, np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2), 1.0)
     # p: half of nu_u over v [1]
     p = 0.5*k
-    # fall: -dp/dw [1]
-    fall = 0.5*h
+    # drop: -dp/dw [1]
+    drop = 0.5*h
     # nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3)
     nu_u_0 = 2.0*p*v_0
     nu_u_1 = 2.0*p*v_1
@@ -482,9 +482,9 @@ def _law(
     bend_1 = turn_0*v_2 - turn_2*v_0
     bend_2 = turn_1*v_0 - turn_0*v_1
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = 0.5*nu_e_0 + bend_0*fall + p*turn_0
-    nu_u_dot_1 = 0.5*nu_e_1 + bend_1*fall + p*turn_1
-    nu_u_dot_2 = 0.5*nu_e_2 + bend_2*fall + p*turn_2
+    nu_u_dot_0 = 0.5*nu_e_0 + bend_0*drop + p*turn_0
+    nu_u_dot_1 = 0.5*nu_e_1 + bend_1*drop + p*turn_1
+    nu_u_dot_2 = 0.5*nu_e_2 + bend_2*drop + p*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -565,8 +565,8 @@ def _reaching(
     h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
     # p: half of nu_u over v [1]
     p = 0.5*k
-    # fall: -dp/dw [1]
-    fall = 0.5*h
+    # drop: -dp/dw [1]
+    drop = 0.5*h
     # nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3)
     nu_u_0 = 2.0*p*v_0
     nu_u_1 = 2.0*p*v_1
@@ -580,9 +580,9 @@ def _reaching(
     bend_1 = turn_0*v_2 - turn_2*v_0
     bend_2 = turn_1*v_0 - turn_0*v_1
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = 0.5*nu_0 + bend_0*fall + p*turn_0
-    nu_u_dot_1 = 0.5*nu_1 + bend_1*fall + p*turn_1
-    nu_u_dot_2 = 0.5*nu_2 + bend_2*fall + p*turn_2
+    nu_u_dot_0 = 0.5*nu_0 + bend_0*drop + p*turn_0
+    nu_u_dot_1 = 0.5*nu_1 + bend_1*drop + p*turn_1
+    nu_u_dot_2 = 0.5*nu_2 + bend_2*drop + p*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain

@@ -72,9 +72,9 @@
          [{'condition': 'w < 0.0F', 'lines': [['distance', 'sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2)']]},
          {'condition': '', 'lines': [['distance', '1.0F']]}]}, {'name': 'p', 'size': 1, 'unit': '1',
          'doc': 'half of nu_u over v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['p'], 'lines': [['p', '0.5F*k']], 'cases': []}, {'name': 'fall', 'size': 1,
+         'names': ['p'], 'lines': [['p', '0.5F*k']], 'cases': []}, {'name': 'drop', 'size': 1,
          'unit': '1', 'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['fall'], 'lines': [['fall', '0.5F*h']], 'cases': []}, {'name': 'nu_u', 'size': 3,
+         'names': ['drop'], 'lines': [['drop', '0.5F*h']], 'cases': []}, {'name': 'nu_u', 'size': 3,
          'unit': 'rad', 'doc': 'kinematic law, half the rotation vector', 'source': 'eq.
          (KinCtrlLawS3)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0',
          'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', '2.0F*p*v_0'], ['nu_u_1', '2.0F*p*v_1'],
@@ -88,8 +88,8 @@
          'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s',
          'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
          'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5F*nu_e_0
-         + bend_0*fall + p*turn_0'], ['nu_u_dot_1', '0.5F*nu_e_1 + bend_1*fall + p*turn_1'],
-         ['nu_u_dot_2', '0.5F*nu_e_2 + bend_2*fall + p*turn_2']], 'cases': []}, {'name': 'drive',
+         + bend_0*drop + p*turn_0'], ['nu_u_dot_1', '0.5F*nu_e_1 + bend_1*drop + p*turn_1'],
+         ['nu_u_dot_2', '0.5F*nu_e_2 + bend_2*drop + p*turn_2']], 'cases': []}, {'name': 'drive',
          'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False,
          'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines':
          [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
@@ -262,8 +262,8 @@ static float paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_
     /* p: half of nu_u over v [1] */
     const float p = 0.5F*k;
 
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* drop: -dp/dw [1] */
+    const float drop = 0.5F*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const float nu_u_0 = 2.0F*p*v_0;
@@ -281,9 +281,9 @@ static float paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_
     const float bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*drop + p*turn_0;
+    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*drop + p*turn_1;
+    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -445,8 +445,8 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     /* p: half of nu_u over v [1] */
     const float p = 0.5F*k;
 
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* drop: -dp/dw [1] */
+    const float drop = 0.5F*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const float nu_u_0 = 2.0F*p*v_0;
@@ -464,9 +464,9 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*drop + p*turn_0;
+    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*drop + p*turn_1;
+    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;

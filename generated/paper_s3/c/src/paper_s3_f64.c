@@ -72,9 +72,9 @@
          [{'condition': 'w < 0.0', 'lines': [['distance', 'sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)']]},
          {'condition': '', 'lines': [['distance', '1.0']]}]}, {'name': 'p', 'size': 1, 'unit': '1',
          'doc': 'half of nu_u over v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'fall', 'size': 1,
+         'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'drop', 'size': 1,
          'unit': '1', 'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['fall'], 'lines': [['fall', '0.5*h']], 'cases': []}, {'name': 'nu_u', 'size': 3,
+         'names': ['drop'], 'lines': [['drop', '0.5*h']], 'cases': []}, {'name': 'nu_u', 'size': 3,
          'unit': 'rad', 'doc': 'kinematic law, half the rotation vector', 'source': 'eq.
          (KinCtrlLawS3)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0',
          'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', '2.0*p*v_0'], ['nu_u_1', '2.0*p*v_1'], ['nu_u_2',
@@ -88,8 +88,8 @@
          'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s',
          'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
          'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5*nu_e_0 +
-         bend_0*fall + p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*fall + p*turn_1'],
-         ['nu_u_dot_2', '0.5*nu_e_2 + bend_2*fall + p*turn_2']], 'cases': []}, {'name': 'drive',
+         bend_0*drop + p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*drop + p*turn_1'],
+         ['nu_u_dot_2', '0.5*nu_e_2 + bend_2*drop + p*turn_2']], 'cases': []}, {'name': 'drive',
          'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False,
          'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines':
          [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
@@ -274,8 +274,8 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;
 
-    /* fall: -dp/dw [1] */
-    const double fall = 0.5*h;
+    /* drop: -dp/dw [1] */
+    const double drop = 0.5*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
@@ -293,9 +293,9 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*fall + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*fall + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*fall + p*turn_2;
+    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*drop + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*drop + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -457,8 +457,8 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;
 
-    /* fall: -dp/dw [1] */
-    const double fall = 0.5*h;
+    /* drop: -dp/dw [1] */
+    const double drop = 0.5*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
@@ -476,9 +476,9 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*fall + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*fall + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*fall + p*turn_2;
+    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*drop + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*drop + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
