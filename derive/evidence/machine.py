@@ -33,6 +33,7 @@ class Machine:
     board:    the template of its start-up code; linker script of that name when emulated
     emulator: and `options`, what runs an image; none: it is a program of this machine
     measured: scalars whose instructions, stack and size are measured
+    needs:    a file that the compiler must find: its C library is a package of its own
     raises:   scalars whose flags (invalid, division by zero, overflow) the hardware keeps
     """
 
@@ -45,6 +46,7 @@ class Machine:
     emulator: Tool | None = None
     options: tuple[str, ...] = ()
     measured: tuple[str, ...] = ()
+    needs: str = ""
     raises: tuple[str, ...] = ("f32", "f64")
 
     @property
@@ -62,7 +64,7 @@ def _cortex(name: str, core: str, unit: str, board: str, scalars: tuple[str, ...
         emulator=_QEMU_ARM,
         # One instruction is 2^10 ns of the emulated clock: see the template.
         options=("-M", board, *_QUIET, *_HOSTED, "-icount", "shift=10", "-kernel"),
-        measured=(scalar,), raises=(scalar,),
+        measured=(scalar,), needs="libm.a", raises=(scalar,),
     )  # fmt: skip
 
 
@@ -73,6 +75,7 @@ def _risc_v(bits: int, abi: str) -> Machine:
          *_BARE),
         emulator=Tool(f"qemu-system-riscv{bits}", "apt install qemu-system-misc"),
         options=("-M", "virt", "-bios", "none", *_QUIET, *_HOSTED, "-kernel"),
+        needs="picolibc.specs",
     )  # fmt: skip
 
 
