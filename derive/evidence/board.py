@@ -9,7 +9,7 @@ from pathlib import Path
 from derive.evidence.firmware import Image
 from derive.evidence.tool import ToolFailed, run
 
-SECONDS = 20.0
+SECONDS = 10.0
 """After which an emulator is ended; an image takes a tenth of a second, or a few when measured."""
 
 
@@ -39,7 +39,7 @@ class Reading:
     stack: dict[tuple[str, int], int] = field(default_factory=dict)
 
 
-def read(image: Image, elf: Path, seconds: float = SECONDS) -> Reading:
+def read(image: Image, elf: Path, seconds: float) -> Reading:
     """Run an image to its end; raises ToolMissing, ToolFailed."""
     machine = image.machine
     emulator = [machine.emulator.path, *machine.options] if machine.emulator else []

@@ -11,7 +11,8 @@ from derive.evidence.promise import promise
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
-_NODE = re.compile(r'node: \{ title: "([^"]+)" label: "[^"]*?(?:\\n(\d+) bytes \((\w+)\))?[^"]*"')
+_NODE = re.compile(r'node: \{ title: "([^"]+)" label: "([^"]*)"')
+_FRAME = re.compile(r"(\d+) bytes \(([\w,]+)\)")
 _EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
 
 
@@ -60,11 +61,11 @@ def graph(text: str) -> Graph:
     """Read a .ci file; raises Unbounded on a frame whose size is not static."""
     frames: dict[str, int] = {}
     calls: dict[str, list[str]] = {}
-    for title, size, kind in _NODE.findall(text):
-        if kind not in ("", "static"):
-            raise Unbounded(f"{_short(title)}: its frame is {kind}")
-        if size:
-            frames[title] = int(size)
+    for title, label in _NODE.findall(text):
+        if frame := _FRAME.search(label):
+            if frame[2] != "static":
+                raise Unbounded(f"{_short(title)}: its frame is {frame[2]}")
+            frames[title] = int(frame[1])
     for source, target in _EDGE.findall(text):
         calls.setdefault(source, []).append(target)
     return Graph(frames, {source: tuple(dict.fromkeys(those)) for source, those in calls.items()})

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from derive.evidence import bits, cost, size, stack
-from derive.evidence.board import Reading, read
+from derive.evidence.board import SECONDS, Reading, read
 from derive.evidence.emitted import Emitted
 from derive.evidence.firmware import Image, build
 from derive.evidence.machine import LEVELS, MACHINES, Machine
@@ -41,15 +41,17 @@ def targets(
     packages: Sequence[Emitted],
     progress: Callable[[str], None] = lambda _: None,
     machines: Sequence[Machine] = MACHINES,
+    seconds: float = SECONDS,
 ) -> Iterator[Check]:
     """Every check of every package on the machines whose tools are here.
 
+    seconds: after which an emulator is ended
     A compiler or an emulator that fails, or does not end, is a check that fails and says so;
     the others go on. Packages are only read.
     """
     present = [machine for machine in machines if not _lack(machine)]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = [(emitted, _submitted(pool, emitted, present)) for emitted in packages]
+        jobs = [(emitted, _submitted(pool, emitted, present, seconds)) for emitted in packages]
         for emitted, those in jobs:
             outcomes = []
             for image, future in those:
@@ -58,23 +60,24 @@ def targets(
             yield from _checks(outcomes)
 
 
-def _submitted(pool: Executor, emitted: Emitted,
-               machines: Sequence[Machine]) -> list[tuple[Image, Future[Outcome]]]:  # fmt: skip
+def _submitted(
+    pool: Executor, emitted: Emitted, machines: Sequence[Machine], seconds: float
+) -> list[tuple[Image, Future[Outcome]]]:
     images = [
         Image(emitted, machine, level)
         for machine in machines
         if emitted.scalar in machine.scalars
         for level in LEVELS
     ]
-    return [(image, pool.submit(_outcome, image)) for image in images]
+    return [(image, pool.submit(_outcome, image, seconds)) for image in images]
 
 
-def _outcome(image: Image) -> Outcome:
+def _outcome(image: Image, seconds: float) -> Outcome:
     """Build and run one image in a temporary folder."""
     with tempfile.TemporaryDirectory(prefix="derive-") as name:
         folder = Path(name)
         try:
-            reading = read(image, build(image, folder))
+            reading = read(image, build(image, folder), seconds)
             if not image.is_measured:
                 return Outcome(image, reading)
             (graph,) = folder.glob(f"*{image.emitted.prefix}.ci")

@@ -1,54 +1,101 @@
-import shutil, numpy as np, sys
+"""A self-test for packages that have none yet: cases over a ladder of angles, bits from this
+machine's compiler, nothing judged. A package's own takes its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from derive.native.compile import *
-from derive.native.load import Library
-ROOT = Path(__file__).parents[2]
-def quat(ax,a):
-    ax=np.array(ax,float); ax/=np.linalg.norm(ax); return np.r_[np.cos(a/2),np.sin(a/2)*ax]
-def mul(p,q):
-    a,b,c,d=p;e,f,g,h=q
-    return np.array([a*e-b*f-c*g-d*h,a*f+b*e+c*h-d*g,a*g-b*h+c*e+d*f,a*h+b*g-c*f+d*e])
-def R(q):
-    w,x,y,z=q
-    return np.array([1-2*(y*y+z*z),2*(x*y-w*z),2*(x*z+w*y),2*(x*y+w*z),1-2*(x*x+z*z),2*(y*z-w*x),2*(x*z-w*y),2*(y*z+w*x),1-2*(x*x+y*y)])
-def fnv(b):
-    s=2166136261
-    for x in b: s=((s^x)*16777619)&0xffffffff
-    return s
-def place(name, folder):
-    root=folder/name
-    shutil.copytree(ROOT/"generated"/name, root)
-    (root/"test").mkdir()
-    st = R if (root/f"c/include/{name}_f32.h").read_text().find("float g[9]")>0 else (lambda q:q)
-    for sc in ("f32","f64"):
-        P=f"{name}_{sc}"; dt=np.float32 if sc=="f32" else float
-        lib=build([root/f"c/src/{P}.c"], root/"c/include", folder/"lib"/name)
-        import cffi
-        from derive.native.header import parse
-        ffi=cffi.FFI(); ffi.cdef(parse((root/f"c/include/{P}.h").read_text()).declarations); L=ffi.dlopen(str(lib))
-        rows=[]; qr=quat((1,-2,1),1.1)
-        for a in [0,1e-8,1e-3,.1,.5,1,1.5,2,2.5,3,np.pi-1e-3,np.pi-1e-6,np.pi]:
-            for ax in [(1,0,0),(0,1,0),(0,0,1),(1,2,3),(-3,1,-2)]:
-                rows.append((st(mul(qr,quat(ax,a))),(.3,-.2,.5),st(qr),(.1,.4,-.2),(.01,-.02,.05)))
-        rows.append((st(qr)*2,(.3,-.2,.5),st(qr),(.1,.4,-.2),(.01,-.02,.05)))
-        out=[]
-        s=ffi.new(P+"_state*"); r=ffi.new(P+"_reference*"); c=ffi.new(P+"_command*")
-        X=lambda v:"{"+",".join(float(dt(x)).hex()+("f" if sc=="f32" else "") for x in v)+"}"
-        for g,nu,gr,nur,nurd in rows:
-            s.g=list(map(float,g)); s.nu=nu; r.g=list(map(float,gr)); r.nu=nur; r.nu_dot=nurd
-            status=getattr(L,P+"_control")(getattr(ffi.addressof(L,P+"_defaults"),"__class__") and ffi.addressof(L,P+"_defaults"),s,r,c)
-            b=bytes(ffi.buffer(c))
-            n=[list(getattr(c,k)) for k in ("force","s","nu_u","nu_u_dot")]
-            out.append("{{"+X(g)+","+X(nu)+"},{"+X(gr)+","+X(nur)+","+X(nurd)+"},{"+",".join(map(X,n))+f"}},({P}_status){status},{fnv(b)}u}}")
-        M=P.upper()
-        (root/f"test/{P}_test.h").write_text(f'''#include <stdint.h>
-#include "{P}.h"
-#define {M}_CASES {len(out)}
-typedef struct {{ {P}_state state; {P}_reference reference; {P}_command truth; {P}_status status; uint32_t bits; }} {P}_case;
-extern const {P}_case {P}_cases[{M}_CASES];
-int {P}_test(void);
-''')
-        (root/f"test/{P}_test.c").write_text(f'#include "{P}_test.h"\nconst {P}_case {P}_cases[] = {{\n'+",\n".join(out)+f"\n}};\nint {P}_test(void) {{ return 0; }}\n")
-    return root
-if __name__=="__main__":
-    for n in sys.argv[2:]: place(n, Path(sys.argv[1]))
+from typing import Any
+
+import cffi
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from derive.evidence.emitted import Emitted
+from derive.native.compile import build
+from derive.native.header import parse
+
+Array = NDArray[np.float64]
+
+ANGLES = (0.0, 1e-8, 1e-3, 0.1, 1.0, 2.0, 3.0, np.pi - 1e-3, np.pi - 1e-6, np.pi)
+AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3), (-3, 1, -2))
+COMMAND = ("force", "s", "nu_u", "nu_u_dot")
+
+
+def write(emitted: Emitted, scratch: Path) -> None:
+    """Put test/PREFIX_test.h and .c into a package."""
+    prefix, macro = emitted.prefix, emitted.macro
+    cases = list(_cases(emitted, scratch))
+    folder = emitted.folder / "test"
+    folder.mkdir(exist_ok=True)
+    (folder / f"{prefix}_test.h").write_text(
+        f"#include <stdint.h>\n"
+        f'#include "{prefix}.h"\n'
+        f"#define {macro}_CASES {len(cases)}\n"
+        f"typedef struct {{ {prefix}_state state; {prefix}_reference reference;\n"
+        f"    {prefix}_command truth; {prefix}_status status; uint32_t bits; }} {prefix}_case;\n"
+        f"extern const {prefix}_case {prefix}_cases[{macro}_CASES];\n"
+        f"int {prefix}_test(void);\n"
+    )
+    (folder / f"{prefix}_test.c").write_text(
+        f'#include "{prefix}_test.h"\n'
+        f"const {prefix}_case {prefix}_cases[{macro}_CASES] = {{\n"
+        + ",\n".join(cases)
+        + f"\n}};\nint {prefix}_test(void)\n{{\n    return 0;\n}}\n"
+    )
+
+
+def _cases(emitted: Emitted, scratch: Path) -> Iterator[str]:
+    ffi = cffi.FFI()
+    ffi.cdef(parse(emitted.header.read_text()).declarations)
+    library: Any = ffi.dlopen(str(build([emitted.source], emitted.include, scratch)))
+    params = ffi.addressof(library, f"{emitted.prefix}_defaults")
+    control = getattr(library, f"{emitted.prefix}_control")
+    structs = [ffi.new(f"{emitted.prefix}_{name}*") for name in ("state", "reference", "command")]
+    state, reference, command = structs
+    stored, n = len(state.g), len(state.nu)
+    for g, g_r in _pairs(stored):
+        state.g, reference.g = list(g), list(g_r)
+        state.nu = [0.3, -0.2, 0.5, 0.1, 0.4, -0.6][:n]
+        reference.nu = [0.1, 0.4, -0.2, 0.2, -0.1, 0.3][:n]
+        reference.nu_dot = [0.01, -0.02, 0.05, 0.03, 0.0, 0.02][:n]
+        status = control(params, state, reference, command)
+        truth = [getattr(command, name) for name in COMMAND]
+        yield (
+            f"{{{_braced(state.g, state.nu)}, "
+            f"{_braced(reference.g, reference.nu, reference.nu_dot)}, "
+            f"{_braced(*truth)}, ({emitted.prefix}_status){status}, "
+            f"{_hash(bytes(ffi.buffer(command)))}u}}"
+        )
+
+
+def _pairs(stored: int) -> Iterator[tuple[Array, Array]]:
+    """(g, g_r) as stored: 4 a quaternion, 9 a rotation, 16 a pose; the last is off the group."""
+    reference = Rotation.from_rotvec([0.4, -0.9, 0.5])
+    for angle in ANGLES:
+        for axis in AXES:
+            turn = Rotation.from_rotvec(angle * np.array(axis) / np.linalg.norm(axis))
+            yield _stored(reference * turn, stored, 0.7), _stored(reference, stored, -0.2)
+    yield 2 * _stored(reference, stored, 0.7), _stored(reference, stored, -0.2)
+
+
+def _stored(turn: Rotation, stored: int, shift: float) -> Array:
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn.as_matrix(), [shift, -shift / 2, 0.1]
+    forms = {4: np.roll(turn.as_quat(), 1), 9: turn.as_matrix().ravel(), 16: pose.ravel()}
+    return np.asarray(forms[stored])
+
+
+def _braced(*rows: Sequence[float]) -> str:
+    """Rows of hexadecimal numbers, exact in either scalar."""
+    inner = (", ".join(float(x).hex() for x in row) for row in rows)
+    return "{" + ", ".join(f"{{{row}}}" for row in inner) + "}"
+
+
+def _hash(data: bytes) -> int:
+    value = 2166136261
+    for byte in data:
+        value = (value ^ byte) * 16777619 % 2**32
+    return value
