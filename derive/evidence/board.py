@@ -53,18 +53,17 @@ def read(image: Image, elf: Path, seconds: float) -> Reading:
 
 def parsed(image: Image, said: str) -> Reading:
     """The lines of an image; raises ValueError on one that is not known, or when some are lost."""
-    reading, count = Reading(image), 0
-    for count, line in enumerate(said.splitlines()):
+    reading = Reading(image)
+    *lines, last = said.splitlines() or [""]
+    for line in lines:
         word, *words = line.split() or [""]
-        if word == "end":
-            break
         if word not in _LINES:
             raise ValueError(repr(line))
         _LINES[word](reading, words)
-    else:
-        raise ValueError("it does not end in `end`")
-    if words != [str(count)]:
-        raise ValueError(f"{' '.join(words)} lines were written, {count} arrived")
+    if not last.startswith("end "):
+        raise ValueError(f"it does not end in `end`: {last!r}")
+    if (written := int(last.split()[1])) != len(lines):
+        raise ValueError(f"{written} lines were written, {len(lines)} arrived")
     return reading
 
 

@@ -1,4 +1,4 @@
-"""The table of machines on which an emitted package runs: compiler, emulator, what each can show."""
+"""The table of machines that an emitted package runs on: compiler, emulator, what each shows."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from derive.evidence.board import Reading
 from derive.evidence.promise import promise
 from derive.verify.check import Check
-from derive.verify.limits import LIMITS
+from derive.verify.limits import LIMITS, published
 
 _NODE = re.compile(r'node: \{ title: "([^"]+)" label: "([^"]*)"')
 _FRAME = re.compile(r"(\d+) bytes \(([\w,]+)\)")
@@ -72,22 +72,34 @@ def graph(text: str) -> Graph:
 
 
 def checks(reading: Reading, text: str) -> Iterator[Check]:
-    """Stack of every routine of a measured image, static and painted; text: of its .ci file."""
-    image = reading.image
-    calls = graph(text)
+    """Stack of every routine of a measured image, static and painted; text: of its .ci file.
+
+    One without a static bound is a measurement that is not a number, and never passes.
+    """
     for routine in dict.fromkeys(routine for routine, _ in reading.stack):
-        depth = calls.depth(f"{image.emitted.prefix}_{routine}")
-        painted = [size for (name, _), size in reading.stack.items() if name == routine]
-        worst = f"{' -> '.join(depth.path)}; painted {max(painted)} B"
-        if depth.unknown:
-            worst += f"; outside the file: {', '.join(sorted(depth.unknown))}"
-        limit = promise(_WHAT.get(routine, ""), "B", image.emitted, image.machine)
-        yield Check(f"stack, {routine}", image.title, depth.size, limit, 1, worst)
-        beyond = max(max(painted) - depth.size, 0)
-        yield Check(
-            f"painted stack, {routine}", image.title, beyond, LIMITS["painted"], len(painted),
-            f"{max(painted)} B painted, {depth.size} B static",
-        )  # fmt: skip
+        try:
+            depth = graph(text).depth(f"{reading.image.emitted.prefix}_{routine}")
+        except Unbounded as error:
+            title, limit = reading.image.title, published("B")
+            yield Check(f"stack, {routine}", title, float("nan"), limit, 1, str(error))
+        else:
+            yield from _bounded(reading, routine, depth)
+
+
+def _bounded(reading: Reading, routine: str, depth: Depth) -> Iterator[Check]:
+    """The static stack against its limit, the painted one against the static one."""
+    image = reading.image
+    painted = max(size for (name, _), size in reading.stack.items() if name == routine)
+    samples = sum(name == routine for name, _ in reading.stack)
+    worst = f"{' -> '.join(depth.path)}; painted {painted} B"
+    if depth.unknown:
+        worst += f"; outside the file: {', '.join(sorted(depth.unknown))}"
+    limit = promise(_WHAT.get(routine, ""), "B", image.emitted, image.machine)
+    yield Check(f"stack, {routine}", image.title, depth.size, limit, 1, worst)
+    beyond = max(painted - depth.size, 0)
+    worst = f"{painted} B painted, {depth.size} B static"
+    name = f"painted stack, {routine}"
+    yield Check(name, image.title, beyond, LIMITS["painted"], samples, worst)
 
 
 _WHAT = {"tracking": "stack", "control": "stack, guarded"}

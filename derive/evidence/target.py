@@ -6,7 +6,7 @@ import os
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -41,6 +41,7 @@ def targets(
     packages: Sequence[Emitted],
     progress: Callable[[str], None] = lambda _: None,
     machines: Sequence[Machine] = MACHINES,
+    levels: Sequence[str] = LEVELS,
     seconds: float = SECONDS,
 ) -> Iterator[Check]:
     """Every check of every package on the machines whose tools are here.
@@ -50,26 +51,29 @@ def targets(
     the others go on. Packages are only read.
     """
     present = [machine for machine in machines if not _lack(machine)]
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = [(emitted, _submitted(pool, emitted, present, seconds)) for emitted in packages]
-        for emitted, those in jobs:
+    pool = ThreadPoolExecutor(os.cpu_count())
+    try:
+        jobs = []
+        for emitted in packages:
+            images = _images(emitted, present, levels)
+            jobs.append([(image, pool.submit(_outcome, image, seconds)) for image in images])
+        for those in jobs:
             outcomes = []
             for image, future in those:
-                progress(f"{emitted.name} {image.title}")
+                progress(f"{image.emitted.name} {image.title}")
                 outcomes.append(future.result())
             yield from _checks(outcomes)
+    finally:
+        pool.shutdown(cancel_futures=True)  # an interrupt waits for what runs, not for what would
 
 
-def _submitted(
-    pool: Executor, emitted: Emitted, machines: Sequence[Machine], seconds: float
-) -> list[tuple[Image, Future[Outcome]]]:
-    images = [
-        Image(emitted, machine, level)
-        for machine in machines
-        if emitted.scalar in machine.scalars
-        for level in LEVELS
-    ]
-    return [(image, pool.submit(_outcome, image, seconds)) for image in images]
+def _images(
+    emitted: Emitted, machines: Sequence[Machine], levels: Sequence[str]
+) -> Iterator[Image]:
+    """One image per level and machine that takes the package's scalar."""
+    for machine in machines:
+        if emitted.scalar in machine.scalars:
+            yield from (Image(emitted, machine, level) for level in levels)
 
 
 def _outcome(image: Image, seconds: float) -> Outcome:
@@ -92,7 +96,7 @@ def _checks(outcomes: Sequence[Outcome]) -> Iterator[Check]:
     model = next((one.reading for one in outcomes if one.reading), None)
     for machine in dict.fromkeys(one.image.machine for one in outcomes):
         those = [one for one in outcomes if one.image.machine == machine]
-        yield _images(those)
+        yield _built(those)
         if model and (readings := [one.reading for one in those if one.reading]):
             yield from bits.checks(readings, model)
         for one in those:
@@ -102,7 +106,7 @@ def _checks(outcomes: Sequence[Outcome]) -> Iterator[Check]:
                 yield from one.sizes
 
 
-def _images(outcomes: Sequence[Outcome]) -> Check:
+def _built(outcomes: Sequence[Outcome]) -> Check:
     """Whether all images of a machine were built and ran to their end; else the tool's words."""
     image = outcomes[0].image
     failed = [f"{one.image.level}: {one.why}" for one in outcomes if one.why]

@@ -37,6 +37,7 @@ def test_every_line_is_read() -> None:
         ("known 65 65\n", "", "6 lines were written, 5 arrived"),
         ("known 65", "knows 65", "'knows 65 65'"),
         ("test 0", "fault", "'fault'"),
+        ("end 6\n", "end 6\nstack control 1 8\n", "'end 6'"),
         ("row control 0 1 4000000000 4", "row control 0 1 x 4", "invalid literal"),
         ("cost control 0 700 701", "cost control 0 700", "not enough values"),
     ],

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
 
-from derive.evidence.machine import LEVELS, MACHINES
+from derive.evidence.machine import LEVELS, MACHINES, MEASURED, Machine
 from derive.evidence.target import missing, targets
 from derive.verify.check import Check
 from tests.evidence.emulated import M4F, M7, need, package
@@ -20,38 +20,41 @@ every_pair = pytest.mark.parametrize(
 )
 
 
-def found_of(name: str, folder: Path) -> Found:
+SHOWN = {"found": LEVELS, "carried": (MEASURED,)}
+
+
+def found_of(name: str, folder: Path, levels: Sequence[str]) -> Found:
     need()
     packages = [package(name, scalar, folder) for scalar in ("f32", "f64")]
-    return {(check.name, check.subject): check for check in targets(packages)}
+    return {(check.name, check.subject): check for check in targets(packages, levels=levels)}
 
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> Found:
-    return found_of("paper_so3", tmp_path_factory.mktemp("so3"))
+    return found_of("paper_so3", tmp_path_factory.mktemp("so3"), SHOWN["found"])
 
 
 @pytest.fixture(scope="module")
 def carried(tmp_path_factory: pytest.TempPathFactory) -> Found:
     """On SE3."""
-    return found_of("underwater", tmp_path_factory.mktemp("se3"))
+    return found_of("underwater", tmp_path_factory.mktemp("se3"), SHOWN["carried"])
 
 
 @every_pair
-@pytest.mark.parametrize("which", ["found", "carried"])
+@pytest.mark.parametrize("which", SHOWN)
 def test_every_row_has_the_same_bits(
-    which: str, machine: object, scalar: str, request: pytest.FixtureRequest
+    which: str, machine: Machine, scalar: str, request: pytest.FixtureRequest
 ) -> None:
     checks: Found = request.getfixturevalue(which)
-    subject = f"{scalar} {machine.name}"  # type: ignore[attr-defined]
-    levels = f"{subject} {' '.join(LEVELS)}"
+    subject = f"{scalar} {machine.name}"
+    levels = f"{subject} {' '.join(SHOWN[which])}"
     built, tested, same = (
         checks["built and run", subject],
         checks["self-test", levels],
         checks["same bits", levels],
     )
     assert all(check.is_ok for check in (built, tested, same)), same.details
-    assert built.samples == len(LEVELS)
+    assert built.samples == len(SHOWN[which])
     assert same.samples > 3 * tested.samples > 0  # control, tracking, reaching, plant
 
 
@@ -59,7 +62,7 @@ def test_no_flag_is_raised(found: Found, carried: Found) -> None:
     for checks in (found, carried):
         flags = [check for check in checks.values() if check.name == "flags"]
         assert len(flags) == sum(len(machine.raises) for machine in MACHINES)
-        assert all(check.is_ok and check.samples > 500 for check in flags)
+        assert all(check.is_ok and check.samples > 150 for check in flags)
 
 
 def test_counts_are_exact_and_repeat(found: Found, carried: Found) -> None:

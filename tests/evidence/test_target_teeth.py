@@ -6,13 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from derive.evidence.machine import MACHINES
+from derive.evidence.machine import MACHINES, MEASURED
 from derive.evidence.target import targets
 from derive.verify.check import Check
 from tests.evidence.emulated import BY_NAME, M4F, inject, need, package
-
-SUBJECT = f"f32 {M4F.name} -O2"
-LEVELS = f"f32 {M4F.name} -O0 -O2 -O3"
 
 
 def measured(folder: Path, routine: str = "plant", statement: str = "") -> dict[str, Check]:
@@ -21,7 +18,7 @@ def measured(folder: Path, routine: str = "plant", statement: str = "") -> dict[
     emitted = package("paper_so3", "f32", folder)
     if statement:
         inject(emitted, routine, statement)
-    return {check.name: check for check in targets([emitted], machines=[M4F])}
+    return {check.name: check for check in targets([emitted], machines=[M4F], levels=[MEASURED])}
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +39,9 @@ def test_another_result_on_one_machine_only(tmp_path: Path) -> None:
     new = f"\n#ifdef __arm__\n turn_0 = 1.0000001F*nu_e_2*v_1 - nu_e_1*v_2;\n#else\n{old}\n#endif\n"
     emitted.source.write_text(text.replace(old, new), encoding="utf-8")
     pair = [BY_NAME["gcc"], M4F]
-    same = [c for c in targets([emitted], machines=pair) if c.name == "same bits"]
+    same = [
+        c for c in targets([emitted], machines=pair, levels=[MEASURED]) if c.name == "same bits"
+    ]
     assert [check.is_ok for check in same] == [True, False]
     assert "control, case" in same[1].details[0]
     assert any("tracking, case" in row for row in same[1].details)
@@ -88,6 +87,14 @@ def test_a_stack_that_the_compiler_does_not_know_of(tmp_path: Path) -> None:
     checks = measured(tmp_path, "tracking", hidden)
     assert checks["stack, tracking"].is_ok
     assert not checks["painted stack, tracking"].is_ok
+
+
+def test_a_stack_without_a_bound(tmp_path: Path) -> None:
+    call = "paper_so3_f32_plant(params, state, force, nu_dot);"
+    checks = measured(tmp_path, "plant", f"{{ volatile int stop = 1; if (!stop) {{ {call} }} }}")
+    assert not checks["stack, plant"].is_ok
+    assert checks["stack, plant"].worst.endswith("recursion")
+    assert checks["stack, tracking"].is_ok
 
 
 def test_a_global_that_changes(tmp_path: Path) -> None:
