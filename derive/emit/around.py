@@ -16,25 +16,34 @@ MEASURED = ("0.6", "0.0", "0.0", "0.8")
 """What the example's attitude sensor reads: x, y, z, w, a turn of 74 degrees about axis one."""
 
 
-def around(target: Target, printed: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, str]:
+def around(
+    target: Target, printed: Mapping[str, Any], values: Mapping[str, Any], *, has_test: bool = False
+) -> dict[str, str]:
     """The files around all scalars of one target, {path: text}; the example uses the widest."""
     scalars = [scalar for scalar in target.scalars if scalar in printed]
     widest = scalars[-1]
     words = spelled(widest, target, values)
-    built = _built(target, scalars, values["name"])
+    built = _built(target, scalars, values["name"], has_test)
     context = {**printed[widest], **words, **built, **_initial(printed[widest], words["number"])}
     read = environment().get_template
-    paths = {file.path.format(name=values["name"]): file.template for file in target.around}
+    files = [file for file in target.around if has_test or not file.is_test]
+    paths = {file.path.format(name=values["name"]): file.template for file in files}
     return {path: read(template).render(context) for path, template in paths.items()}
 
 
-def _built(target: Target, scalars: list[str], name: str) -> dict[str, Any]:
-    """sources and the roots that they call, by scalar, and the flags they are compiled with."""
-    paths = [
-        file.path.format(name=name, scalar=scalar) for scalar in scalars for file in target.files
+def _built(target: Target, scalars: list[str], name: str, has_test: bool) -> dict[str, Any]:
+    """sources, those of the self-test, the roots called, by scalar, and the flags of them all."""
+    files = [
+        (file.path.format(name=name, scalar=scalar), file.is_test)
+        for scalar in scalars
+        for file in target.files
     ]
+    files += [(file.path, True) for file in target.around if file.is_test]
+    sources = [one for one in files if one[0].endswith(".c")]
     return {
-        "sources": [path for path in paths if path.endswith(".c")],
+        "sources": [path for path, is_test in sources if not is_test],
+        "tests": [path for path, is_test in sources if is_test and has_test],
+        "prefixes": [f"{name}_{scalar}" for scalar in scalars],
         "roots": [f"sqrt{SCALARS[scalar].suffix}" for scalar in scalars],
         "flags": FLAGS,
     }

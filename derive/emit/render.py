@@ -124,18 +124,22 @@ def batched(shape: list[int]) -> str:
     return f"(..., {', '.join(map(str, shape))})"
 
 
-def render(target: Target, printed: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, str]:
+def render(
+    target: Target, printed: Mapping[str, Any], values: Mapping[str, Any],
+    tests: Mapping[str, Any] | None = None,
+) -> dict[str, str]:  # fmt: skip
     """Every file of one target.
 
     printed: {scalar: {"name", "routines", "kernels", ...}} as the pipeline prints and keeps it
     values:  name, scalars, inertia (upper triangle) and gains of a vehicle, exact
+    tests:   {scalar: table} of `selftest`; nothing for a vehicle without a self-test
     """
     texts: dict[str, str] = {}
     for scalar in target.scalars:
         if scalar not in printed:
             continue
-        context = {**printed[scalar], **spelled(scalar, target, values)}
-        for file in target.files:
+        context = {**printed[scalar], **spelled(scalar, target, values), **(tests or {}).get(scalar, {})}
+        for file in (one for one in target.files if tests or not one.is_test):
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)
     return texts

@@ -55,10 +55,14 @@ SCALARS = {
 
 @dataclass(frozen=True)
 class File:
-    """One emitted file: its template and its path, {name} and {scalar} filled in."""
+    """One emitted file: its template and its path, {name} and {scalar} filled in.
+
+    is_test: whether it belongs to the self-test, which only a group with a known truth has
+    """
 
     template: str
     path: str
+    is_test: bool = False
 
 
 @dataclass(frozen=True)
@@ -78,11 +82,14 @@ TARGETS = {
         (
             File("c99/header.h.jinja", "c/include/{name}_{scalar}.h"),
             File("c99/source.c.jinja", "c/src/{name}_{scalar}.c"),
+            File("test/test.h.jinja", "test/{name}_{scalar}_test.h", is_test=True),
+            File("test/test.c.jinja", "test/{name}_{scalar}_test.c", is_test=True),
         ),
         (
             File("package/CMakeLists.txt.jinja", "CMakeLists.txt"),
             File("package/fragment.mk.jinja", "{name}.mk"),
             File("package/main.c.jinja", "example/main.c"),
+            File("test/main.c.jinja", "test/main.c", is_test=True),
         ),
     ),
     "numpy": Target("numpy", ("f64",), (File("numpy/module.py.jinja", "numpy/{name}.py"),)),
