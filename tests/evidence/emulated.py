@@ -1,19 +1,21 @@
-"""Packages that are run on targets: copies of the committed ones, whole or with a defect."""
+"""Packages that are run on targets, whole or with a defect."""
 
 from __future__ import annotations
 
 import os
-import shutil
+from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
 
+from derive import pipeline
 from derive.evidence.emitted import Emitted
 from derive.evidence.machine import MACHINES, Machine
 from derive.evidence.target import missing
-from tests.evidence import standin
+from derive.vehicle import load
 
-GENERATED = Path(__file__).parents[2] / "generated"
+VEHICLES = Path(__file__).parents[2] / "vehicles"
 BY_NAME = {machine.name: machine for machine in MACHINES}
 M4F, M7 = BY_NAME["Cortex-M4F"], BY_NAME["Cortex-M7"]
 
@@ -25,19 +27,24 @@ def need(*machines: Machine) -> None:
         pytest.skip("; ".join(reasons))
 
 
+@cache
+def texts(name: str) -> Mapping[str, str]:
+    """The files of a vehicle of the repository, as this tree emits them."""
+    return pipeline.texts(load(VEHICLES / f"{name}.toml"))
+
+
 def package(name: str, scalar: str, folder: Path) -> Emitted:
-    """A copy of a committed package, to be changed at will."""
+    """A vehicle's package below a folder, to be changed at will."""
     root = folder / name
-    if not root.exists():
-        shutil.copytree(GENERATED / name, root)
-    emitted = Emitted(root, name, scalar)
-    if not (root / "test" / f"{emitted.prefix}_test.c").exists():
-        standin.write(emitted, folder / f"{emitted.prefix}_built")
-    return emitted
+    for path, text in texts(name).items():
+        if not (file := root / path).exists():
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+    return Emitted(root, name, scalar)
 
 
 def inject(emitted: Emitted, routine: str, statement: str) -> Emitted:
-    """Put a statement at the head of a routine, and what it may need at the head of the file."""
+    """Put a statement at the head of a routine."""
     text = emitted.source.read_text(encoding="utf-8")
     mark = f"    /* -- {routine} -- */\n"
     assert text.count(mark) == 1

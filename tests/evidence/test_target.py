@@ -55,14 +55,14 @@ def test_every_row_has_the_same_bits(
     )
     assert all(check.is_ok for check in (built, tested, same)), same.details
     assert built.samples == len(SHOWN[which])
-    assert same.samples > 3 * tested.samples > 0  # control, tracking, reaching, plant
+    assert same.samples > 2 * tested.samples > 0  # the bare routines too
 
 
 def test_no_flag_is_raised(found: Found, carried: Found) -> None:
     for checks in (found, carried):
         flags = [check for check in checks.values() if check.name == "flags"]
         assert len(flags) == sum(len(machine.raises) for machine in MACHINES)
-        assert all(check.is_ok and check.samples > 150 for check in flags)
+        assert all(check.is_ok and check.samples > 40 for check in flags)
 
 
 def test_counts_are_exact_and_repeat(found: Found, carried: Found) -> None:
@@ -70,7 +70,7 @@ def test_counts_are_exact_and_repeat(found: Found, carried: Found) -> None:
         for subject in (f"f32 {M4F.name} -O2", f"f64 {M7.name} -O2"):
             assert checks["clock", subject].measured == 0
             assert checks["counted twice", subject].measured == 0
-            assert checks["counted twice", subject].samples > 150
+            assert checks["counted twice", subject].samples > 60
             assert checks["instructions, plant", subject].measured > 50
 
 
