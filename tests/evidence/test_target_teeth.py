@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -66,6 +67,17 @@ def test_instructions_are_counted_one_by_one(sound: dict[str, Check], tmp_path: 
     for name in ("instructions, plant", "instructions, control"):
         added = checks[name].measured - sound[name].measured
         assert added == (7 if name.endswith("plant") else 0)
+
+
+def test_a_clock_that_is_wrong(tmp_path: Path) -> None:
+    need(M4F)
+    options = tuple(option.replace("shift=10", "shift=9") for option in M4F.options)
+    assert options != M4F.options
+    halved = replace(M4F, options=options)
+    emitted = package("paper_so3", "f32", tmp_path)
+    checks = {c.name: c for c in targets([emitted], machines=[halved], levels=[MEASURED])}
+    assert not checks["clock"].is_ok
+    assert checks["clock"].worst.endswith("for 65")
 
 
 def test_a_law_whose_time_tells_the_angle(sound: dict[str, Check], tmp_path: Path) -> None:
