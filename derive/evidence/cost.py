@@ -29,7 +29,7 @@ def checks(reading: Reading) -> Iterator[Check]:
         worst = f"case {most}; {min(good.values())} to {max(good.values())} in good cases"
         limit = promise(routine, UNIT, emitted, machine)
         yield Check(f"{UNIT}, {routine}", subject, counts[most], limit, len(counts), worst)
-    if ("tracking", 0) in reading.cost or _good(reading, "tracking"):
+    if _good(reading, "tracking"):
         yield spread(reading)
         yield guard(reading)
 
