@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from derive.emit.selftest import selftest
+from derive.emit.selftest import selftest, written
 from derive.emit.target import TARGETS
 from derive.vehicle import Vehicle
-from derive.verify.combined import commands
+from derive.verify.combined import Limits, answers
 
 if TYPE_CHECKING:
     from derive.verify.plant import Plant
@@ -46,8 +46,12 @@ def kept(vehicle: Vehicle, printed: Mapping[str, Any], *, is_pole: bool) -> dict
     judged, scalars = plant_of(vehicle), TARGETS[CODE].scalars
     if not is_known(judged):
         return {}
+    found = golden(judged, is_pole=is_pole, scalars=scalars)
+    for scalar, rows in found["rows"].items():
+        for row in rows:
+            row["written"] = written(printed[CODE][scalar], row["given"], scalar)
     programs = {scalar: program(printed[CODE][scalar], scalar) for scalar in scalars}
-    return {"programs": programs, **golden(judged, is_pole=is_pole, scalars=scalars)}
+    return {"programs": programs, **found}
 
 
 def tables(
@@ -62,17 +66,20 @@ def tables(
         return {}
     return {
         scalar: selftest(
-            data, found["programs"][scalar], _rows(vehicle, found, scalar), values, scalar
+            data, found["programs"][scalar], _rows(vehicle, found, scalar, values), values, scalar
         )
         for scalar, data in printed.items()
     }
 
 
-def _rows(vehicle: Vehicle, found: Mapping[str, Any], scalar: str) -> list[dict[str, Any]]:
+def _rows(
+    vehicle: Vehicle, found: Mapping[str, Any], scalar: str, values: Mapping[str, Any]
+) -> list[dict[str, Any]]:
     """The kept rows, each with what is true of its command for this inertia and these gains."""
-    told = commands(
-        found, scalar, vehicle.controller, vehicle.inertia, vehicle.gains,
+    limits = Limits(values.get("force_limit", ()), values.get("saturation", "") == "direction")
+    told = answers(
+        found, scalar, vehicle.controller, vehicle.inertia, vehicle.gains, limits,
         is_own=vehicle.own is not None,
     )  # fmt: skip
     pairs = zip(found["rows"][scalar], told, strict=True)
-    return [{**row, "outputs": outputs} for row, outputs in pairs]
+    return [{**row, "status": x.status, "outputs": x.outputs} for row, x in pairs if x]

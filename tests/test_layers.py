@@ -96,6 +96,7 @@ THIRD_PARTY = {
     "derive.vehicle": ("numpy",),
     "derive.native": ("cffi", "numpy"),
     "derive.verify.combined": (),
+    "derive.verify.sized": (),
     "derive.verify": ("mpmath", "numpy", "sympy"),
     "derive.verify.oracle.casadi_twin": ("casadi", "numpy"),
     "derive.verify.oracle.casadi_group": ("casadi", "numpy"),

@@ -52,8 +52,10 @@ def exact(value: float, scalar: str) -> str:
     kind = {"f32": "f", "f64": "d"}[scalar]
     held = struct.pack(kind, value)
     texts = (f"{value:.{count}g}" for count in range(1, 18))
-    text = repr(value) if scalar == "f64" else next(
-        one for one in texts if struct.pack(kind, float(one)) == held
+    text = (
+        repr(value)
+        if scalar == "f64"
+        else next(one for one in texts if struct.pack(kind, float(one)) == held)
     )
     mantissa, mark, exponent = text.partition("e")
     mantissa += "" if "." in mantissa else ".0"

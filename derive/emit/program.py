@@ -12,6 +12,7 @@ import math
 import re
 import struct
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 Given = Mapping[str, Sequence[float]]
@@ -60,6 +61,29 @@ def pack(numbers: Sequence[float], scalar: str) -> bytes:
     return struct.pack(f"<{len(numbers)}{FORMAT[scalar]}", *numbers)
 
 
+@dataclass(frozen=True)
+class Limit:
+    """The largest force of each coordinate, nothing where none is limited.
+
+    keeps_direction: whether the force shrinks as a whole
+    """
+
+    force: tuple[float, ...]
+    keeps_direction: bool
+
+
+def limited(force: Sequence[float], limit: Limit, scalar: str) -> list[float]:
+    """A force within its limits, by the operations of the emitted code."""
+    kept = rounded if scalar == "f32" else float
+    pairs = list(zip(force, limit.force, strict=bool(limit.force)))
+    if not any(abs(x) > most for x, most in pairs):
+        return list(force)
+    share = 1.0
+    if limit.keeps_direction:
+        share = min(kept(most / abs(x)) for x, most in pairs if abs(x) > most)
+    return [max(-most, min(most, kept(x * share))) for x, most in pairs]
+
+
 def _kernel(kernel: Mapping[str, Any]) -> Iterator[str]:
     """Horner's scheme in 1 - w, as the C has it."""
     (sign, first), *rest = kernel["terms"]
@@ -104,8 +128,8 @@ class _Rounded(ast.NodeTransformer):
     """Every constant as float keeps it, and every operation rounded to float."""
 
     def visit_Constant(self, node: ast.Constant) -> ast.expr:
-        is_number = isinstance(node.value, float)
-        return ast.Constant(rounded(node.value)) if is_number else node
+        value = node.value
+        return ast.Constant(rounded(value)) if isinstance(value, float) else node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
         return self._call(node)

@@ -54,6 +54,8 @@ def environment() -> jinja2.Environment:
 
 def fold(line: str, then: int | str) -> str:
     """Break a long line at spaces; `then` is the indent of the lines that follow, or its width."""
+    if len(line) <= WIDTH and "\n" not in line:
+        return line.rstrip()
     indent = then if isinstance(then, str) else " " * then
     return textwrap.fill(
         line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
@@ -138,7 +140,11 @@ def render(
     for scalar in target.scalars:
         if scalar not in printed:
             continue
-        context = {**printed[scalar], **spelled(scalar, target, values), **(tests or {}).get(scalar, {})}
+        context = {
+            **printed[scalar],
+            **spelled(scalar, target, values),
+            **(tests or {}).get(scalar, {}),
+        }
         for file in (one for one in target.files if tests or not one.is_test):
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)

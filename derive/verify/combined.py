@@ -7,7 +7,7 @@ imported: a new inertia of a known pattern waits for none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
@@ -15,34 +15,16 @@ from typing import Any
 
 from derive.emit.literal import nearest
 from derive.verify.limits import LIMITS
+from derive.verify.sized import ZERO, Sized, Vector, minus, plus, times, total
 
 PRECISION = Context(prec=60)
 """Of what is put together, ten digits beyond what is kept."""
 
-
-@dataclass(frozen=True, slots=True)
-class Sized:
-    """A number and the size of the terms it is a sum of."""
-
-    value: Decimal
-    size: float
-
-    def __add__(self, other: Sized) -> Sized:
-        return Sized(self.value + other.value, self.size + other.size)
-
-    def __sub__(self, other: Sized) -> Sized:
-        return Sized(self.value - other.value, self.size + other.size)
-
-    def __mul__(self, other: Sized) -> Sized:
-        return Sized(self.value * other.value, self.size * other.size)
-
-    def __truediv__(self, other: Sized) -> Sized:
-        return Sized(self.value / other.value, self.size / other.size)
+UNSURE = Decimal("0.01")
+"""Relative distance from a force limit within which rounding may decide."""
 
 
-Vector = list[Sized]
 Known = Mapping[str, Vector]
-ZERO = Sized(Decimal(0), 0.0)
 
 
 @dataclass(frozen=True)
@@ -55,7 +37,7 @@ class Body:
 
     def flat(self, x: Vector) -> Vector:
         """I x."""
-        return [_total(a * b for a, b in zip(row, x, strict=True)) for row in self.inertia]
+        return [total(a * b for a, b in zip(row, x, strict=True)) for row in self.inertia]
 
     def coad(self, x: Vector, a: Vector) -> Vector:
         """ad*_x a, where <ad*_x a; y> = <a; [x, y]>."""
@@ -65,40 +47,24 @@ class Body:
         return found
 
 
-def _total(terms: Iterable[Sized]) -> Sized:
-    return sum(terms, ZERO)
-
-
-def _plus(a: Vector, b: Vector) -> Vector:
-    return [x + y for x, y in zip(a, b, strict=True)]
-
-
-def _minus(a: Vector, b: Vector) -> Vector:
-    return [x - y for x, y in zip(a, b, strict=True)]
-
-
-def _times(factor: Sized, x: Vector) -> Vector:
-    return [factor * each for each in x]
-
-
 def _sliding(body: Body, at: Known) -> dict[str, Vector]:
     """Eqs. (TckCtrl), and (Ctrl2) where eta is zero."""
     slope, reach = body.gains["lambda"], body.gains["k_s"]
-    drive = _times(slope, at["nu_u"])
-    s = _plus(at["nu_e"], drive)
-    wanted = _minus(_minus(at["eta_dot"], _times(slope, at["nu_u_dot"])), _times(reach, s))
-    momentum = _plus(body.flat(at["nu"]), at["momentum"])
-    turning = body.coad(_minus(drive, at["eta"]), momentum)
-    return {"force": _plus(body.flat(wanted), turning), "s": s}
+    drive = times(slope, at["nu_u"])
+    s = plus(at["nu_e"], drive)
+    wanted = minus(minus(at["eta_dot"], times(slope, at["nu_u_dot"])), times(reach, s))
+    momentum = plus(body.flat(at["nu"]), at["momentum"])
+    turning = body.coad(minus(drive, at["eta"]), momentum)
+    return {"force": plus(body.flat(wanted), turning), "s": s}
 
 
 def _lsf(body: Body, at: Known) -> dict[str, Vector]:
     """Eqs. (Ctrls2), (s2), without the last term of F_2."""
-    s = _minus(at["nu"], at["nu_r"])
-    s = _plus(s, _times(body.gains["kappa"] / body.gains["k"], at["nu_u"]))
-    driven = body.flat(_minus(at["nu_r_dot"], _times(body.gains["k"], s)))
-    momentum = _plus(body.flat(at["nu"]), at["momentum"])
-    return {"force": _minus(driven, body.coad(at["nu"], momentum)), "s": s}
+    s = minus(at["nu"], at["nu_r"])
+    s = plus(s, times(body.gains["kappa"] / body.gains["k"], at["nu_u"]))
+    driven = body.flat(minus(at["nu_r_dot"], times(body.gains["k"], s)))
+    momentum = plus(body.flat(at["nu"]), at["momentum"])
+    return {"force": minus(driven, body.coad(at["nu"], momentum)), "s": s}
 
 
 def _cross(body: Body, at: Known) -> Vector:
@@ -111,21 +77,21 @@ def _cross(body: Body, at: Known) -> Vector:
 
 def _lsf_printed(body: Body, at: Known) -> dict[str, Vector]:
     found = _lsf(body, at)
-    return found | {"force": _minus(found["force"], _cross(body, at))}
+    return found | {"force": minus(found["force"], _cross(body, at))}
 
 
 def _lsf_mended(body: Body, at: Known) -> dict[str, Vector]:
     found = _lsf(body, at)
-    return found | {"force": _plus(found["force"], body.flat(_cross(body, at)))}
+    return found | {"force": plus(found["force"], body.flat(_cross(body, at)))}
 
 
 def _pd_plus(body: Body, at: Known) -> dict[str, Vector]:
     """Eqs. (Ctrls3), (s3)."""
-    eta = _minus(at["nu"], at["nu_e"])
-    s = _plus(at["nu_e"], _times(body.gains["k_R"] / body.gains["k_Omega"], at["nu_u"]))
-    momentum = _plus(body.flat(eta), at["momentum"])
-    carried = _minus(body.flat(at["pulled"]), body.coad(eta, momentum))
-    return {"force": _minus(carried, _times(body.gains["k_Omega"], s)), "s": s}
+    eta = minus(at["nu"], at["nu_e"])
+    s = plus(at["nu_e"], times(body.gains["k_R"] / body.gains["k_Omega"], at["nu_u"]))
+    momentum = plus(body.flat(eta), at["momentum"])
+    carried = minus(body.flat(at["pulled"]), body.coad(eta, momentum))
+    return {"force": minus(carried, times(body.gains["k_Omega"], s)), "s": s}
 
 
 COMBINED: dict[str, Callable[[Body, Known], dict[str, Vector]]] = {
@@ -138,33 +104,77 @@ COMBINED: dict[str, Callable[[Body, Known], dict[str, Vector]]] = {
 """Controller -> force, but for the external one, and s."""
 
 
-def commands(
+@dataclass(frozen=True)
+class Answer:
+    """What is true of a command: its status, and each output with the largest error of a number.
+
+    No output of a refused row.
+    """
+
+    status: str
+    outputs: dict[str, tuple[list[Decimal], float]]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What the emitted code holds a force to: one number for each coordinate, or none.
+
+    keeps_direction: whether the force shrinks as a whole
+    """
+
+    force: Sequence[Fraction] = ()
+    keeps_direction: bool = False
+
+
+def answers(
     golden: Mapping[str, Any], scalar: str, controller: str, inertia: Sequence[Sequence[Fraction]],
-    gains: Sequence[tuple[str, Fraction]], *, is_own: bool,
-) -> list[dict[str, tuple[list[Decimal], float]]]:  # fmt: skip
-    """Of each row each output and the largest error of a number in it; a refused one has none."""
-    limit = LIMITS["own_force" if is_own and scalar == "f64" else f"force_{scalar}"].figure
+    gains: Sequence[tuple[str, Fraction]], limits: Limits, *, is_own: bool,
+) -> list[Answer | None]:  # fmt: skip
+    """The truth of each row; None of a row whose status rounding would decide."""
+    bound = LIMITS["own_force" if is_own and scalar == "f64" else f"force_{scalar}"].figure
     with localcontext(PRECISION):
         body = Body(
             tuple(tuple(_stored(x, scalar) for x in row) for row in inertia),
             {name: _stored(x, scalar) for name, x in gains},
             tuple((i, j, k, _exact(Decimal(c))) for i, j, k, c in golden["bracket"]),
         )
+        most = [_stored(x, scalar).value for x in limits.force]
         rows = golden["rows"][scalar]
-        return [_command(controller, body, row, limit) if row["known"] else {} for row in rows]
+        found = [_outputs(controller, body, row, bound) if row["known"] else {} for row in rows]
+        pairs = zip(rows, found, strict=True)
+        return [_limited(row["status"], one, most, limits.keeps_direction) for row, one in pairs]
 
 
-def _command(
-    controller: str, body: Body, row: Mapping[str, Any], limit: float
+def _outputs(
+    controller: str, body: Body, row: Mapping[str, Any], bound: float
 ) -> dict[str, tuple[list[Decimal], float]]:
     at = _sized(row)
     found = COMBINED[controller](body, at)
-    found["force"] = _minus(found["force"], at["external"])
+    found["force"] = minus(found["force"], at["external"])
     found |= {name: at[name] for name in ("nu_u", "nu_u_dot") if name in row["known"]}
     return {
-        name: ([x.value for x in vector], limit * max(x.size for x in vector))
+        name: ([x.value for x in vector], bound * max(x.size for x in vector))
         for name, vector in found.items()
     }
+
+
+def _limited(
+    status: str, outputs: dict[str, tuple[list[Decimal], float]], most: Sequence[Decimal],
+    keeps_direction: bool,
+) -> Answer | None:  # fmt: skip
+    """The same with the force held to its limits."""
+    if not outputs or not most:
+        return Answer(status, outputs)
+    force, error = outputs["force"]
+    parts = [abs(x) / y for x, y in zip(force, most, strict=True)]
+    if any(abs(part - 1) < UNSURE for part in parts):
+        return None
+    if max(parts) < 1:
+        return Answer(status, outputs)
+    share = 1 / max(parts) if keeps_direction else Decimal(1)
+    held = [max(-y, min(y, x * share)) for x, y in zip(force, most, strict=True)]
+    worse = "SATURATED" if status == "OK" else status
+    return Answer(worse, outputs | {"force": (held, error)})
 
 
 def _sized(row: Mapping[str, Any]) -> dict[str, Vector]:

@@ -22,7 +22,7 @@ from derive.verify.rung import Rung, draw, element, ladder
 mp = truth.mp
 
 Row = dict[str, Any]
-"""doc, given (input -> numbers), status, clearance, known (name -> decimals, nothing if refused)."""
+"""doc, given (input -> numbers), status, clearance, known (name -> decimals; none if refused)."""
 
 Numbers = dict[str, list[float]]
 """What each input is given."""
@@ -112,7 +112,7 @@ def _given(vehicle: Plant, rung: Rung, place: int, scalar: str) -> Numbers:
                                      strict=True))  # fmt: skip
     for name in ("nu", "nu_r", "nu_r_dot", "momentum", "external"):
         moves = is_moving or not name.startswith("nu_r")
-        found[name] = [next(numbers) if moves else 0.0 for _ in range(n)]
+        found[name] = [next(numbers) * rung.pace if moves else 0.0 for _ in range(n)]
     return {name: [stored(x, scalar) for x in found[name]] for name in names}
 
 
@@ -169,12 +169,12 @@ def _decimal(value: Any) -> str:
 def _bad(vehicle: Plant, good: Numbers, kind: Scalar) -> Iterator[Row]:
     """Every input not finite and out of range, both configurations off the group."""
     harms = (("not a number", float("nan"), 0, "NONFINITE_INPUT"),
-             ("infinite", float("-inf"), -1, "NONFINITE_INPUT"),
+             ("infinite", float("-inf"), 1, "NONFINITE_INPUT"),
              ("out of range", 2 * float(kind.max_input), 0, "OUT_OF_RANGE"))  # fmt: skip
     for name in _inputs(vehicle):
         for doc, value, place, status in harms:
             numbers = [*good[name]]
-            numbers[place] = value
+            numbers[place % len(numbers)] = value
             yield _refused(f"{name} {doc}", {**good, name: numbers}, status)
     for name in ("g", "g_r"):
         for doc, numbers in _off(vehicle, good.get(name, [])):

@@ -30,6 +30,9 @@ FEW = (("1e-12", True), ("1e-2", True), ("0.5", True), ("2", True), ("2.5", True
 OWN = (("0", False), ("1e-12", False), ("1e-4", True), ("0.1", True), ("0.5", True), ("1", True))
 """Norms of hat(x) on a user's group, of whose elements only those near the identity are known."""
 
+SLOW, FAST = 2.0**-10, 2.0**9
+"""Paces, exact in every scalar, of a force that needs no limit and of one that does."""
+
 REFERENCES = 3
 """So many moving references take turns."""
 
@@ -37,61 +40,68 @@ OTHERS = "0.625"
 """Angle of the factors whose turn it is not, rad."""
 
 NOISE = mp.mpf(10) ** -100
-"""Where an entry of a rotation by pi is this small, it is zero."""
+"""Where an entry of a rotation by pi is this small, it is zero: the cut is met exactly."""
 
 
 @dataclass(frozen=True)
 class Rung:
-    """An error: its angle [rad] is `turns` times pi and `rest`; the axis by number, None for any.
+    """An error: its angle [rad] is `rest`, or so much beyond the cut of the law.
 
     is_moving: whether the reference is neither the identity nor at rest
+    at_cut:    then all factors turn by it, otherwise the one whose turn it is
+    axis:      by number; any where None
+    of_state:  whether g is turned so, whatever the error is then
+    pace:      what velocities and loads are multiplied with
     """
 
     rest: str
     is_moving: bool
-    turns: int = 0
+    at_cut: bool = False
     axis: int | None = None
+    of_state: bool = False
+    pace: float = 1.0
 
-    @property
-    def angle(self) -> Any:
-        """The angle to 130 digits."""
-        return self.turns * +mp.pi + mp.mpf(self.rest)
+    def angle(self, cut: Any) -> Any:
+        """The angle to 130 digits, of a factor with its cut there."""
+        return cut * self.at_cut + mp.mpf(self.rest)
 
     @property
     def doc(self) -> str:
         """It in words."""
-        whole = {0: "", 1: "pi", 2: "2 pi"}[self.turns]
+        what = {SLOW: "slow, ", FAST: "fast, "}.get(self.pace, "")
+        what += "state" if self.of_state else "error"
+        if not self.at_cut:
+            return f"{what} {self.rest} rad"
         rest = self.rest.lstrip("-")
-        sign = " - " if self.rest.startswith("-") else " + "
-        far = f"{whole}{sign if whole else ''}{rest}" if float(rest) or not whole else whole
-        return f"error {far} rad"
+        side = "before" if self.rest.startswith("-") else "beyond"
+        return f"{what} {rest} rad {side} the cut" if float(rest) else f"{what} at the cut"
 
 
 def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
-    """The rungs of a vehicle."""
+    """The rungs of a vehicle; a slow one and a fast one find the limits of a force."""
+    yield from (Rung("1e-4", False, pace=SLOW), Rung("0.5", True, pace=FAST))
     if vehicle.own is not None:
         yield from (Rung(rest, is_moving) for rest, is_moving in OWN)
         return
     yield from (Rung("0", False), Rung(TINY[scalar], False))
-    is_half = "S3" in vehicle.factors
     if vehicle.is_attitude:
-        yield from (Rung(rest, True) for rest in ("0", *SMALL, *MIDDLE))
-        yield from (Rung(rest, True) for rest in BEYOND * is_half)
+        beyond = BEYOND if vehicle.group == "S3" else ()
+        yield from (Rung(rest, True) for rest in ("0", *SMALL, *MIDDLE, *beyond))
     else:
         yield from (Rung(*one) for one in FEW)
     if any(one.turns for one in factors(vehicle.space)):
-        yield from _at_cut(vehicle, 2 if is_half and vehicle.law != "sign_vec" else 1, scalar)
+        yield from _at_cut(vehicle, scalar)
 
 
-def _at_cut(vehicle: Plant, turns: int, scalar: str) -> Iterator[Rung]:
+def _at_cut(vehicle: Plant, scalar: str) -> Iterator[Rung]:
     """Either side of the cut; last of all the middle of the ladder, which bad rows start from."""
+    near: tuple[str, ...] = ("-1e-3", "1e-3")
     if vehicle.is_attitude:
-        offs = ("-1e-2", "-1e-3", "1e-3", "1e-2", f"-{CLOSE[scalar]}", CLOSE[scalar])
-        yield from (Rung(off, True, turns) for off in offs)
-        yield from (Rung("0", False, turns, axis) for axis in range(3))
-    else:
-        yield from (Rung(off, True, turns) for off in ("-1e-3", "1e-3"))
-    yield from (Rung("-1e-3", False, turns, axis) for axis in range(3))
+        near = ("-1e-2", *near, "1e-2", f"-{CLOSE[scalar]}", CLOSE[scalar])
+        yield from (Rung("0", False, True, axis) for axis in range(3))
+        yield Rung("0", True, True, 0, of_state=True)
+    yield from (Rung(rest, True, True) for rest in near)
+    yield from (Rung(("-1e-3", "1e-3")[axis % 2], False, True, axis) for axis in range(3))
     yield Rung("1", True)
 
 
@@ -106,11 +116,12 @@ def draw(place: int) -> Iterator[float]:
 
 def element(vehicle: Plant, rung: Rung, place: int, is_moving: bool) -> tuple[Any, Any]:
     """g and g_r as they are stored, to 130 digits: g_r^-1 g is an error by the rung's angle."""
-    group, least = vehicle.space, NOISE * rung.angle
+    group = vehicle.space
     error, reference = _error(vehicle, rung, place), _reference(vehicle, place, is_moving)
-    found = (store(group, times(reference, error)), store(group, reference))
-    g, g_r = (tuple(x if abs(x) > least else mp.zero for x in row) for row in found)
-    return g, g_r
+    g = error if rung.of_state else times(reference, error)
+    least = NOISE if rung.at_cut else mp.zero
+    found = ((x if abs(x) > least else mp.zero for x in store(group, a)) for a in (g, reference))
+    return tuple(next(found)), tuple(next(found))
 
 
 @cache
@@ -141,14 +152,25 @@ def _coordinates(
     mine = turning[(place or 0) % len(turning)] if turning else -1
     found: list[Any] = []
     for i, one in enumerate(parts):
-        count = one.dim if isinstance(one, Own) else len(one.turns)
-        about = [next(numbers) for _ in range(count)]
-        if rung.axis is not None and i == mine:
-            about = [float(rung.axis % count == axis) for axis in range(count)]
-        angle = rung.angle if i == mine or place is None else mp.mpf(OTHERS)
+        is_mine = i == mine or rung.at_cut or place is None
+        angle = rung.angle(_cut(one, vehicle.law)) if is_mine else mp.mpf(OTHERS)
+        about = _axis(one, numbers, rung.axis)
         found += [angle * x / _length(one, about) for x in about]
-        found += [next(numbers) for _ in range(one.dim - count)]
+        found += [next(numbers) for _ in range(one.dim - len(about))]
     return found
+
+
+def _cut(one: Factor | Own, law: str) -> Any:
+    """Angle at which a law jumps: on S3 that of -i, but for a law that folds its sheets."""
+    return +mp.pi * (one.sheets if law != "sign_vec" else 1)
+
+
+def _axis(one: Factor | Own, numbers: Iterator[float], axis: int | None) -> list[float]:
+    """What a factor turns about, of any length."""
+    count = one.dim if isinstance(one, Own) else len(one.turns)
+    if axis is None:
+        return [next(numbers) for _ in range(count)]
+    return [float(axis % count == i) for i in range(count)]
 
 
 def _length(one: Factor | Own, x: Sequence[float]) -> Any:

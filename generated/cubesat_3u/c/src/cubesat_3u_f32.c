@@ -5,6 +5,7 @@
 #include "cubesat_3u_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -536,6 +537,11 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
         const cubesat_3u_f32_state *state, const cubesat_3u_f32_reference *reference,
         cubesat_3u_f32_command *command)
 {
+#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+#endif
     static const cubesat_3u_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     cubesat_3u_f32_status status = cubesat_3u_f32_judge(state, reference);
     if (status == CUBESAT_3U_F32_OK) {
@@ -551,6 +557,11 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
 
 cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *params)
 {
+#ifdef CUBESAT_3U_CHECK_POINTERS
+    if (params == NULL) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (cubesat_3u_f32_inspect(params->inertia, 6, CUBESAT_3U_F32_MAX_PARAM) != CUBESAT_3U_F32_OK) {

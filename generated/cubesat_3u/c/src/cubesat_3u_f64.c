@@ -5,6 +5,7 @@
 #include "cubesat_3u_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -548,6 +549,11 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
         const cubesat_3u_f64_state *state, const cubesat_3u_f64_reference *reference,
         cubesat_3u_f64_command *command)
 {
+#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return CUBESAT_3U_F64_BAD_PARAMS;
+    }
+#endif
     static const cubesat_3u_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     cubesat_3u_f64_status status = cubesat_3u_f64_judge(state, reference);
     if (status == CUBESAT_3U_F64_OK) {
@@ -563,6 +569,11 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
 
 cubesat_3u_f64_status cubesat_3u_f64_check_params(const cubesat_3u_f64_params *params)
 {
+#ifdef CUBESAT_3U_CHECK_POINTERS
+    if (params == NULL) {
+        return CUBESAT_3U_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (cubesat_3u_f64_inspect(params->inertia, 6, CUBESAT_3U_F64_MAX_PARAM) != CUBESAT_3U_F64_OK) {

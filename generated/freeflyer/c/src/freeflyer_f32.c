@@ -5,6 +5,7 @@
 #include "freeflyer_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -972,6 +973,11 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
         const freeflyer_f32_state *state, const freeflyer_f32_reference *reference,
         freeflyer_f32_command *command)
 {
+#ifdef FREEFLYER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return FREEFLYER_F32_BAD_PARAMS;
+    }
+#endif
     static const freeflyer_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     freeflyer_f32_status status = freeflyer_f32_judge(state, reference);
     if (status == FREEFLYER_F32_OK) {
@@ -987,6 +993,11 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
 
 freeflyer_f32_status freeflyer_f32_check_params(const freeflyer_f32_params *params)
 {
+#ifdef FREEFLYER_CHECK_POINTERS
+    if (params == NULL) {
+        return FREEFLYER_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[6];
     int i;
     if (freeflyer_f32_inspect(params->inertia, 21, FREEFLYER_F32_MAX_PARAM) != FREEFLYER_F32_OK) {

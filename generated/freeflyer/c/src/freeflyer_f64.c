@@ -5,6 +5,7 @@
 #include "freeflyer_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1008,6 +1009,11 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
         const freeflyer_f64_state *state, const freeflyer_f64_reference *reference,
         freeflyer_f64_command *command)
 {
+#ifdef FREEFLYER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return FREEFLYER_F64_BAD_PARAMS;
+    }
+#endif
     static const freeflyer_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     freeflyer_f64_status status = freeflyer_f64_judge(state, reference);
     if (status == FREEFLYER_F64_OK) {
@@ -1023,6 +1029,11 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
 
 freeflyer_f64_status freeflyer_f64_check_params(const freeflyer_f64_params *params)
 {
+#ifdef FREEFLYER_CHECK_POINTERS
+    if (params == NULL) {
+        return FREEFLYER_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[6];
     int i;
     if (freeflyer_f64_inspect(params->inertia, 21, FREEFLYER_F64_MAX_PARAM) != FREEFLYER_F64_OK) {

@@ -5,6 +5,7 @@
 #include "hovercraft_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -511,6 +512,11 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
         const hovercraft_f32_state *state, const hovercraft_f32_reference *reference,
         hovercraft_f32_command *command)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return HOVERCRAFT_F32_BAD_PARAMS;
+    }
+#endif
     static const hovercraft_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     hovercraft_f32_status status = hovercraft_f32_judge(state, reference);
     if (status == HOVERCRAFT_F32_OK) {
@@ -526,6 +532,11 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
 
 hovercraft_f32_status hovercraft_f32_check_params(const hovercraft_f32_params *params)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS
+    if (params == NULL) {
+        return HOVERCRAFT_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (hovercraft_f32_inspect(params->inertia, 6, HOVERCRAFT_F32_MAX_PARAM) != HOVERCRAFT_F32_OK) {

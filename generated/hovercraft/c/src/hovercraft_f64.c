@@ -5,6 +5,7 @@
 #include "hovercraft_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -535,6 +536,11 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
         hovercraft_f64_command *command)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+#endif
     static const hovercraft_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     hovercraft_f64_status status = hovercraft_f64_judge(state, reference);
     if (status == HOVERCRAFT_F64_OK) {
@@ -550,6 +556,11 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
 
 hovercraft_f64_status hovercraft_f64_check_params(const hovercraft_f64_params *params)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS
+    if (params == NULL) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (hovercraft_f64_inspect(params->inertia, 6, HOVERCRAFT_F64_MAX_PARAM) != HOVERCRAFT_F64_OK) {

@@ -5,6 +5,7 @@
 #include "paper_s3_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -510,6 +511,11 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
         const paper_s3_f32_state *state, const paper_s3_f32_reference *reference,
         paper_s3_f32_command *command)
 {
+#ifdef PAPER_S3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_S3_F32_BAD_PARAMS;
+    }
+#endif
     static const paper_s3_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     paper_s3_f32_status status = paper_s3_f32_judge(state, reference);
     if (status == PAPER_S3_F32_OK) {
@@ -525,6 +531,11 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
 
 paper_s3_f32_status paper_s3_f32_check_params(const paper_s3_f32_params *params)
 {
+#ifdef PAPER_S3_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_S3_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (paper_s3_f32_inspect(params->inertia, 6, PAPER_S3_F32_MAX_PARAM) != PAPER_S3_F32_OK) {

@@ -5,6 +5,7 @@
 #include "paper_s3_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -522,6 +523,11 @@ paper_s3_f64_status paper_s3_f64_control(const paper_s3_f64_params *params,
         const paper_s3_f64_state *state, const paper_s3_f64_reference *reference,
         paper_s3_f64_command *command)
 {
+#ifdef PAPER_S3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_S3_F64_BAD_PARAMS;
+    }
+#endif
     static const paper_s3_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     paper_s3_f64_status status = paper_s3_f64_judge(state, reference);
     if (status == PAPER_S3_F64_OK) {
@@ -537,6 +543,11 @@ paper_s3_f64_status paper_s3_f64_control(const paper_s3_f64_params *params,
 
 paper_s3_f64_status paper_s3_f64_check_params(const paper_s3_f64_params *params)
 {
+#ifdef PAPER_S3_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_S3_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_s3_f64_inspect(params->inertia, 6, PAPER_S3_F64_MAX_PARAM) != PAPER_S3_F64_OK) {

@@ -5,6 +5,7 @@
 #include "paper_so3_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -582,6 +583,11 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
         const paper_so3_f64_state *state, const paper_so3_f64_reference *reference,
         paper_so3_f64_command *command)
 {
+#ifdef PAPER_SO3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_F64_BAD_PARAMS;
+    }
+#endif
     static const paper_so3_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     paper_so3_f64_status status = paper_so3_f64_judge(state, reference);
     if (status == PAPER_SO3_F64_OK) {
@@ -597,6 +603,11 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
 
 paper_so3_f64_status paper_so3_f64_check_params(const paper_so3_f64_params *params)
 {
+#ifdef PAPER_SO3_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_so3_f64_inspect(params->inertia, 6, PAPER_SO3_F64_MAX_PARAM) != PAPER_SO3_F64_OK) {

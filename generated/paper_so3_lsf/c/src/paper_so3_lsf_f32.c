@@ -5,6 +5,7 @@
 #include "paper_so3_lsf_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -307,6 +308,12 @@ paper_so3_lsf_f32_status paper_so3_lsf_f32_control(const paper_so3_lsf_f32_param
         const paper_so3_lsf_f32_state *state, const paper_so3_lsf_f32_reference *reference,
         paper_so3_lsf_f32_command *command)
 {
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_LSF_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_LSF_F32_BAD_PARAMS;
+    }
+#endif
     static const paper_so3_lsf_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F } };
     paper_so3_lsf_f32_status status = paper_so3_lsf_f32_judge(state, reference);
     if (status == PAPER_SO3_LSF_F32_OK) {
@@ -322,6 +329,11 @@ paper_so3_lsf_f32_status paper_so3_lsf_f32_control(const paper_so3_lsf_f32_param
 
 paper_so3_lsf_f32_status paper_so3_lsf_f32_check_params(const paper_so3_lsf_f32_params *params)
 {
+#ifdef PAPER_SO3_LSF_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_LSF_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (paper_so3_lsf_f32_inspect(params->inertia, 6, PAPER_SO3_LSF_F32_MAX_PARAM) !=

@@ -5,6 +5,7 @@
 #include "paper_so3_pd_plus_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -373,6 +374,12 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_control(const paper_so3_pd_pl
         const paper_so3_pd_plus_f64_state *state, const paper_so3_pd_plus_f64_reference *reference,
         paper_so3_pd_plus_f64_command *command)
 {
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_PD_PLUS_F64_BAD_PARAMS;
+    }
+#endif
     static const paper_so3_pd_plus_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 } };
     paper_so3_pd_plus_f64_status status = paper_so3_pd_plus_f64_judge(state, reference);
     if (status == PAPER_SO3_PD_PLUS_F64_OK) {
@@ -389,6 +396,11 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_control(const paper_so3_pd_pl
 paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_check_params(const paper_so3_pd_plus_f64_params
         *params)
 {
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_PD_PLUS_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_so3_pd_plus_f64_inspect(params->inertia, 6, PAPER_SO3_PD_PLUS_F64_MAX_PARAM) !=

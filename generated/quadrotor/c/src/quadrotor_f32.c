@@ -5,6 +5,7 @@
 #include "quadrotor_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -471,6 +472,11 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         const quadrotor_f32_state *state, const quadrotor_f32_reference *reference,
         quadrotor_f32_command *command)
 {
+#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+#endif
     static const quadrotor_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     quadrotor_f32_status status = quadrotor_f32_judge(state, reference);
     if (status == QUADROTOR_F32_OK) {
@@ -486,6 +492,11 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
 
 quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *params)
 {
+#ifdef QUADROTOR_CHECK_POINTERS
+    if (params == NULL) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (quadrotor_f32_inspect(params->inertia, 6, QUADROTOR_F32_MAX_PARAM) != QUADROTOR_F32_OK) {

@@ -5,6 +5,7 @@
 #include "quadrotor_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -483,6 +484,11 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         const quadrotor_f64_state *state, const quadrotor_f64_reference *reference,
         quadrotor_f64_command *command)
 {
+#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+#endif
     static const quadrotor_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     quadrotor_f64_status status = quadrotor_f64_judge(state, reference);
     if (status == QUADROTOR_F64_OK) {
@@ -498,6 +504,11 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
 
 quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *params)
 {
+#ifdef QUADROTOR_CHECK_POINTERS
+    if (params == NULL) {
+        return QUADROTOR_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (quadrotor_f64_inspect(params->inertia, 6, QUADROTOR_F64_MAX_PARAM) != QUADROTOR_F64_OK) {

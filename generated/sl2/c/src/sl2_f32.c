@@ -5,6 +5,7 @@
 #include "sl2_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -380,6 +381,11 @@ static sl2_f32_status sl2_f32_verdict(const sl2_f32_command *command,
 sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state *state,
         const sl2_f32_reference *reference, sl2_f32_command *command)
 {
+#ifdef SL2_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return SL2_F32_BAD_PARAMS;
+    }
+#endif
     static const sl2_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     sl2_f32_status status = sl2_f32_judge(state, reference);
     if (status == SL2_F32_OK) {
@@ -395,6 +401,11 @@ sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state
 
 sl2_f32_status sl2_f32_check_params(const sl2_f32_params *params)
 {
+#ifdef SL2_CHECK_POINTERS
+    if (params == NULL) {
+        return SL2_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (sl2_f32_inspect(params->inertia, 6, SL2_F32_MAX_PARAM) != SL2_F32_OK) {

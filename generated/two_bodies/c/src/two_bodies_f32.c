@@ -6,6 +6,7 @@
 #include "two_bodies_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1189,6 +1190,11 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
         two_bodies_f32_command *command)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+#endif
     static const two_bodies_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     two_bodies_f32_status status = two_bodies_f32_judge(state, reference);
     if (status == TWO_BODIES_F32_OK) {
@@ -1204,6 +1210,11 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
 
 two_bodies_f32_status two_bodies_f32_check_params(const two_bodies_f32_params *params)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS
+    if (params == NULL) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[9];
     int i;
     if (two_bodies_f32_inspect(params->inertia, 45, TWO_BODIES_F32_MAX_PARAM) != TWO_BODIES_F32_OK)

@@ -6,6 +6,7 @@
 #include "two_bodies_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1224,6 +1225,11 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
         const two_bodies_f64_state *state, const two_bodies_f64_reference *reference,
         two_bodies_f64_command *command)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return TWO_BODIES_F64_BAD_PARAMS;
+    }
+#endif
     static const two_bodies_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     two_bodies_f64_status status = two_bodies_f64_judge(state, reference);
     if (status == TWO_BODIES_F64_OK) {
@@ -1239,6 +1245,11 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
 
 two_bodies_f64_status two_bodies_f64_check_params(const two_bodies_f64_params *params)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS
+    if (params == NULL) {
+        return TWO_BODIES_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[9];
     int i;
     if (two_bodies_f64_inspect(params->inertia, 45, TWO_BODIES_F64_MAX_PARAM) != TWO_BODIES_F64_OK)

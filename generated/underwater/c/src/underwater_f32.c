@@ -5,6 +5,7 @@
 #include "underwater_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1027,6 +1028,11 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
         const underwater_f32_state *state, const underwater_f32_reference *reference,
         underwater_f32_command *command)
 {
+#ifdef UNDERWATER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return UNDERWATER_F32_BAD_PARAMS;
+    }
+#endif
     static const underwater_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
     underwater_f32_status status = underwater_f32_judge(state, reference);
     if (status == UNDERWATER_F32_OK) {
@@ -1042,6 +1048,11 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
 
 underwater_f32_status underwater_f32_check_params(const underwater_f32_params *params)
 {
+#ifdef UNDERWATER_CHECK_POINTERS
+    if (params == NULL) {
+        return UNDERWATER_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[6];
     int i;
     if (underwater_f32_inspect(params->inertia, 21, UNDERWATER_F32_MAX_PARAM) != UNDERWATER_F32_OK)

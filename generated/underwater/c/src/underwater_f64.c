@@ -5,6 +5,7 @@
 #include "underwater_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1063,6 +1064,11 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
         const underwater_f64_state *state, const underwater_f64_reference *reference,
         underwater_f64_command *command)
 {
+#ifdef UNDERWATER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return UNDERWATER_F64_BAD_PARAMS;
+    }
+#endif
     static const underwater_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
     underwater_f64_status status = underwater_f64_judge(state, reference);
     if (status == UNDERWATER_F64_OK) {
@@ -1078,6 +1084,11 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
 
 underwater_f64_status underwater_f64_check_params(const underwater_f64_params *params)
 {
+#ifdef UNDERWATER_CHECK_POINTERS
+    if (params == NULL) {
+        return UNDERWATER_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[6];
     int i;
     if (underwater_f64_inspect(params->inertia, 21, UNDERWATER_F64_MAX_PARAM) != UNDERWATER_F64_OK)
