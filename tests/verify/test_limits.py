@@ -43,6 +43,18 @@ PROMISED = {
     "kernel proof": (1, "times"),
     "findings": (0, "findings"),
     "loop": (1e-8, "relative"),
+    "images": (0, "images"),
+    "clock": (0, "instructions"),
+    "painted": (0, "B"),
+    "mutable": (0, "B"),
+    "M4F SO3 tracking": (340, "instructions"),
+    "M4F S3 tracking": (260, "instructions"),
+    "M4F spread": (1.1, "times"),
+    "M4F guard": (60, "%"),
+    "M4F stack": (128, "B"),
+    "M4F stack, guarded": (256, "B"),
+    "M4F text": (1400, "B"),
+    "M4F text, guarded": (2200, "B"),
 }
 
 
