@@ -166,6 +166,7 @@ class Params(NamedTuple):
     inertia: Array
     lambda_: Array
     k_s: Array
+    force_limit: Array = (0.002, 0.002, 0.002)  # largest force of each coordinate [N m]
     max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
@@ -206,6 +207,7 @@ def control(
         _real("nu_r", nu_r, (3,)),
         _real("nu_r_dot", nu_r_dot, (3,)),
     ]
+    force_limit = _real("force_limit", params.force_limit, (3,))
     max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
@@ -218,7 +220,7 @@ def control(
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[8]) <= MAX_INPUT).all(-1)
         good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
-        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        command[0], status = _saturated(command[0], force_limit)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
         refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
@@ -247,6 +249,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
         good = good & (inertia[..., [1, 2, 4]] == 0.0).all(-1)
         good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
         good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        limit = _real("force_limit", params.force_limit, (3,))
+        good = good & ((limit >= MIN_GAIN) & (limit <= MAX_PARAM)).all(-1)
         drift = _real("max_drift", params.max_drift, ())
         good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
@@ -368,6 +372,18 @@ def _judge(rows: Array) -> Array:
     """OK, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
     status = np.where((np.abs(rows) > MAX_INPUT).any(-1), OUT_OF_RANGE, OK)
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
+
+
+def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
+    """The force within its limits, (..., 3), and OK, SATURATED or NONFINITE_INPUT, (...)."""
+    size = np.abs(force)
+    share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
+    cut = force * share
+    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
+    usable = ((np.abs(cut) <= limit)).all(-1)
+    within = (size <= limit).all(-1)
+    status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
+    return np.where(within[..., None], force, cut), status
 
 
 def _k(w: Array) -> Array:

@@ -180,6 +180,7 @@ typedef struct {
     float inertia[6]; /**< inertia, upper triangle, row by row [kg m^2] */
     float lambda; /**< sliding rate [1/s] */
     float k_s; /**< reaching rate [1/s] */
+    float force_limit[3]; /**< largest force of each coordinate [N m] */
     float max_drift; /**< largest distance of the error from the group [1] */
 } cubesat_3u_f32_params;
 

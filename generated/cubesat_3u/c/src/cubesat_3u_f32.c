@@ -150,6 +150,7 @@ const cubesat_3u_f32_params cubesat_3u_f32_defaults = {
     {0.0421F, 0.0F, 0.0F, 0.0417F, 0.0F, 0.0067F},
     0.05F, /* lambda */
     0.2F, /* k_s */
+    {0.002F, 0.002F, 0.002F}, /* force_limit */
     0.0001F /* max_drift */
 };
 
@@ -611,15 +612,40 @@ static cubesat_3u_f32_status cubesat_3u_f32_refuse(const cubesat_3u_f32_state *s
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static cubesat_3u_f32_status cubesat_3u_f32_verdict(const float clearance,
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params *params,
         cubesat_3u_f32_command *command)
 {
+    float share = 1.0F;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const float size = fabsf(command->force[i]);
+        if (size > params->force_limit[i]) {
+            const float part = params->force_limit[i]/size;
+            share = part < share ? part : share;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        const float limit = params->force_limit[i];
+        const float force = command->force[i]*share;
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(fabsf(command->force[i]) <= limit)) {
+            *command = cubesat_3u_f32_nothing;
+            return CUBESAT_3U_F32_NONFINITE_INPUT;
+        }
+    }
+    return CUBESAT_3U_F32_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static cubesat_3u_f32_status cubesat_3u_f32_verdict(const cubesat_3u_f32_params *params,
+        const float clearance, cubesat_3u_f32_command *command)
+{
     cubesat_3u_f32_status status = CUBESAT_3U_F32_OK;
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
-            isfinite(command->force[2]))) {
-        *command = cubesat_3u_f32_nothing;
-        status = CUBESAT_3U_F32_NONFINITE_INPUT;
+    if (!(fabsf(command->force[0]) <= params->force_limit[0]
+            && fabsf(command->force[1]) <= params->force_limit[1]
+            && fabsf(command->force[2]) <= params->force_limit[2])) {
+        status = cubesat_3u_f32_saturate(params, command);
     }
     return clearance < CUBESAT_3U_F32_NEAR_CUT ? cubesat_3u_f32_worse(status,
             CUBESAT_3U_F32_NEAR_CUT_LOCUS) : status;
@@ -697,7 +723,7 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
     }
     clearance = cubesat_3u_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
             g_e_4, g_e_5, g_e_6, g_e_7, g_e_8);
-    return cubesat_3u_f32_verdict(clearance, command);
+    return cubesat_3u_f32_verdict(params, clearance, command);
 }
 
 cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *params)
@@ -720,6 +746,12 @@ cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *p
     }
     if (!(params->max_drift > 0.0F && params->max_drift <= CUBESAT_3U_F32_MOST_DRIFT)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= CUBESAT_3U_F32_MIN_GAIN && params->force_limit[i] <=
+                CUBESAT_3U_F32_MAX_PARAM)) {
+            return CUBESAT_3U_F32_BAD_PARAMS;
+        }
     }
     if (fabsf(params->inertia[1]) > 0.0F) {
         return CUBESAT_3U_F32_BAD_PARAMS;

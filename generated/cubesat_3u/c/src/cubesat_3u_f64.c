@@ -150,6 +150,7 @@ const cubesat_3u_f64_params cubesat_3u_f64_defaults = {
     {0.0421, 0.0, 0.0, 0.0417, 0.0, 0.0067},
     0.05, /* lambda */
     0.2, /* k_s */
+    {0.002, 0.002, 0.002}, /* force_limit */
     1.0e-6 /* max_drift */
 };
 
@@ -623,15 +624,40 @@ static cubesat_3u_f64_status cubesat_3u_f64_refuse(const cubesat_3u_f64_state *s
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static cubesat_3u_f64_status cubesat_3u_f64_verdict(const double clearance,
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static cubesat_3u_f64_status cubesat_3u_f64_saturate(const cubesat_3u_f64_params *params,
         cubesat_3u_f64_command *command)
 {
+    double share = 1.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double size = fabs(command->force[i]);
+        if (size > params->force_limit[i]) {
+            const double part = params->force_limit[i]/size;
+            share = part < share ? part : share;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        const double limit = params->force_limit[i];
+        const double force = command->force[i]*share;
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(fabs(command->force[i]) <= limit)) {
+            *command = cubesat_3u_f64_nothing;
+            return CUBESAT_3U_F64_NONFINITE_INPUT;
+        }
+    }
+    return CUBESAT_3U_F64_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static cubesat_3u_f64_status cubesat_3u_f64_verdict(const cubesat_3u_f64_params *params,
+        const double clearance, cubesat_3u_f64_command *command)
+{
     cubesat_3u_f64_status status = CUBESAT_3U_F64_OK;
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
-            isfinite(command->force[2]))) {
-        *command = cubesat_3u_f64_nothing;
-        status = CUBESAT_3U_F64_NONFINITE_INPUT;
+    if (!(fabs(command->force[0]) <= params->force_limit[0]
+            && fabs(command->force[1]) <= params->force_limit[1]
+            && fabs(command->force[2]) <= params->force_limit[2])) {
+        status = cubesat_3u_f64_saturate(params, command);
     }
     return clearance < CUBESAT_3U_F64_NEAR_CUT ? cubesat_3u_f64_worse(status,
             CUBESAT_3U_F64_NEAR_CUT_LOCUS) : status;
@@ -709,7 +735,7 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
     }
     clearance = cubesat_3u_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
             g_e_4, g_e_5, g_e_6, g_e_7, g_e_8);
-    return cubesat_3u_f64_verdict(clearance, command);
+    return cubesat_3u_f64_verdict(params, clearance, command);
 }
 
 cubesat_3u_f64_status cubesat_3u_f64_check_params(const cubesat_3u_f64_params *params)
@@ -732,6 +758,12 @@ cubesat_3u_f64_status cubesat_3u_f64_check_params(const cubesat_3u_f64_params *p
     }
     if (!(params->max_drift > 0.0 && params->max_drift <= CUBESAT_3U_F64_MOST_DRIFT)) {
         return CUBESAT_3U_F64_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= CUBESAT_3U_F64_MIN_GAIN && params->force_limit[i] <=
+                CUBESAT_3U_F64_MAX_PARAM)) {
+            return CUBESAT_3U_F64_BAD_PARAMS;
+        }
     }
     if (fabs(params->inertia[1]) > 0.0) {
         return CUBESAT_3U_F64_BAD_PARAMS;

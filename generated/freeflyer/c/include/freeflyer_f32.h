@@ -257,6 +257,7 @@ typedef struct {
     float inertia[21]; /**< inertia, upper triangle, row by row [kg m^2, kg m, kg] */
     float lambda; /**< sliding rate [1/s] */
     float k_s; /**< reaching rate [1/s] */
+    float force_limit[6]; /**< largest force of each coordinate [N m, N] */
     float max_drift; /**< largest distance of the error from the group [1] */
 } freeflyer_f32_params;
 

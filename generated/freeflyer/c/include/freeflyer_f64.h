@@ -256,6 +256,7 @@ typedef struct {
     double inertia[21]; /**< inertia, upper triangle, row by row [kg m^2, kg m, kg] */
     double lambda; /**< sliding rate [1/s] */
     double k_s; /**< reaching rate [1/s] */
+    double force_limit[6]; /**< largest force of each coordinate [N m, N] */
     double max_drift; /**< largest distance of the error from the group [1] */
 } freeflyer_f64_params;
 

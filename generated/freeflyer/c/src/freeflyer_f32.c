@@ -231,6 +231,7 @@ const freeflyer_f32_params freeflyer_f32_defaults = {
      0.14709F, -0.03F, -0.2F, 0.0F, 1.0e1F, 0.0F, 0.0F, 1.0e1F, 0.0F, 1.0e1F},
     0.1F, /* lambda */
     0.4F, /* k_s */
+    {0.3F, 0.3F, 0.3F, 1.5F, 1.0F, 1.0F}, /* force_limit */
     0.0001F /* max_drift */
 };
 
@@ -1163,16 +1164,35 @@ static freeflyer_f32_status freeflyer_f32_refuse(const freeflyer_f32_state *stat
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static freeflyer_f32_status freeflyer_f32_verdict(const float clearance,
+/* The force within its limits, each coordinate by itself. */
+static freeflyer_f32_status freeflyer_f32_saturate(const freeflyer_f32_params *params,
         freeflyer_f32_command *command)
 {
+    int i;
+    for (i = 0; i < 6; i++) {
+        const float limit = params->force_limit[i];
+        const float force = command->force[i];
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(isfinite(force) && fabsf(command->force[i]) <= limit)) {
+            *command = freeflyer_f32_nothing;
+            return FREEFLYER_F32_NONFINITE_INPUT;
+        }
+    }
+    return FREEFLYER_F32_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static freeflyer_f32_status freeflyer_f32_verdict(const freeflyer_f32_params *params,
+        const float clearance, freeflyer_f32_command *command)
+{
     freeflyer_f32_status status = FREEFLYER_F32_OK;
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
-            && isfinite(command->force[3]) && isfinite(command->force[4])
-            && isfinite(command->force[5]))) {
-        *command = freeflyer_f32_nothing;
-        status = FREEFLYER_F32_NONFINITE_INPUT;
+    if (!(fabsf(command->force[0]) <= params->force_limit[0]
+            && fabsf(command->force[1]) <= params->force_limit[1]
+            && fabsf(command->force[2]) <= params->force_limit[2]
+            && fabsf(command->force[3]) <= params->force_limit[3]
+            && fabsf(command->force[4]) <= params->force_limit[4]
+            && fabsf(command->force[5]) <= params->force_limit[5])) {
+        status = freeflyer_f32_saturate(params, command);
     }
     return clearance < FREEFLYER_F32_NEAR_CUT ? freeflyer_f32_worse(status,
             FREEFLYER_F32_NEAR_CUT_LOCUS) : status;
@@ -1282,7 +1302,7 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
     }
     clearance = freeflyer_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
             g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11);
-    return freeflyer_f32_verdict(clearance, command);
+    return freeflyer_f32_verdict(params, clearance, command);
 }
 
 freeflyer_f32_status freeflyer_f32_check_params(const freeflyer_f32_params *params)
@@ -1305,6 +1325,12 @@ freeflyer_f32_status freeflyer_f32_check_params(const freeflyer_f32_params *para
     }
     if (!(params->max_drift > 0.0F && params->max_drift <= FREEFLYER_F32_MOST_DRIFT)) {
         return FREEFLYER_F32_BAD_PARAMS;
+    }
+    for (i = 0; i < 6; i++) {
+        if (!(params->force_limit[i] >= FREEFLYER_F32_MIN_GAIN && params->force_limit[i] <=
+                FREEFLYER_F32_MAX_PARAM)) {
+            return FREEFLYER_F32_BAD_PARAMS;
+        }
     }
     if (fabsf(params->inertia[3]) > 0.0F) {
         return FREEFLYER_F32_BAD_PARAMS;

@@ -231,6 +231,7 @@ const freeflyer_f64_params freeflyer_f64_defaults = {
      -0.2, 0.0, 1.0e1, 0.0, 0.0, 1.0e1, 0.0, 1.0e1},
     0.1, /* lambda */
     0.4, /* k_s */
+    {0.3, 0.3, 0.3, 1.5, 1.0, 1.0}, /* force_limit */
     1.0e-6 /* max_drift */
 };
 
@@ -1200,16 +1201,35 @@ static freeflyer_f64_status freeflyer_f64_refuse(const freeflyer_f64_state *stat
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static freeflyer_f64_status freeflyer_f64_verdict(const double clearance,
+/* The force within its limits, each coordinate by itself. */
+static freeflyer_f64_status freeflyer_f64_saturate(const freeflyer_f64_params *params,
         freeflyer_f64_command *command)
 {
+    int i;
+    for (i = 0; i < 6; i++) {
+        const double limit = params->force_limit[i];
+        const double force = command->force[i];
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(isfinite(force) && fabs(command->force[i]) <= limit)) {
+            *command = freeflyer_f64_nothing;
+            return FREEFLYER_F64_NONFINITE_INPUT;
+        }
+    }
+    return FREEFLYER_F64_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static freeflyer_f64_status freeflyer_f64_verdict(const freeflyer_f64_params *params,
+        const double clearance, freeflyer_f64_command *command)
+{
     freeflyer_f64_status status = FREEFLYER_F64_OK;
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
-            && isfinite(command->force[3]) && isfinite(command->force[4])
-            && isfinite(command->force[5]))) {
-        *command = freeflyer_f64_nothing;
-        status = FREEFLYER_F64_NONFINITE_INPUT;
+    if (!(fabs(command->force[0]) <= params->force_limit[0]
+            && fabs(command->force[1]) <= params->force_limit[1]
+            && fabs(command->force[2]) <= params->force_limit[2]
+            && fabs(command->force[3]) <= params->force_limit[3]
+            && fabs(command->force[4]) <= params->force_limit[4]
+            && fabs(command->force[5]) <= params->force_limit[5])) {
+        status = freeflyer_f64_saturate(params, command);
     }
     return clearance < FREEFLYER_F64_NEAR_CUT ? freeflyer_f64_worse(status,
             FREEFLYER_F64_NEAR_CUT_LOCUS) : status;
@@ -1319,7 +1339,7 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
     }
     clearance = freeflyer_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
             g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11);
-    return freeflyer_f64_verdict(clearance, command);
+    return freeflyer_f64_verdict(params, clearance, command);
 }
 
 freeflyer_f64_status freeflyer_f64_check_params(const freeflyer_f64_params *params)
@@ -1342,6 +1362,12 @@ freeflyer_f64_status freeflyer_f64_check_params(const freeflyer_f64_params *para
     }
     if (!(params->max_drift > 0.0 && params->max_drift <= FREEFLYER_F64_MOST_DRIFT)) {
         return FREEFLYER_F64_BAD_PARAMS;
+    }
+    for (i = 0; i < 6; i++) {
+        if (!(params->force_limit[i] >= FREEFLYER_F64_MIN_GAIN && params->force_limit[i] <=
+                FREEFLYER_F64_MAX_PARAM)) {
+            return FREEFLYER_F64_BAD_PARAMS;
+        }
     }
     if (fabs(params->inertia[3]) > 0.0) {
         return FREEFLYER_F64_BAD_PARAMS;

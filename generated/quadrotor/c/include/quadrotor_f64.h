@@ -174,6 +174,7 @@ typedef struct {
     double inertia[6]; /**< inertia, upper triangle, row by row [kg m^2] */
     double lambda; /**< sliding rate [1/s] */
     double k_s; /**< reaching rate [1/s] */
+    double force_limit[3]; /**< largest force of each coordinate [N m] */
     double max_drift; /**< largest distance of the error from the group [1] */
 } quadrotor_f64_params;
 

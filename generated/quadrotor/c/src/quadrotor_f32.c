@@ -144,6 +144,7 @@ const quadrotor_f32_params quadrotor_f32_defaults = {
     {0.0085F, 0.0F, 0.00012F, 0.0088F, 0.0F, 0.0152F},
     6.0F, /* lambda */
     1.0e1F, /* k_s */
+    {0.8F, 0.8F, 0.1F}, /* force_limit */
     0.0001F /* max_drift */
 };
 
@@ -557,15 +558,40 @@ static quadrotor_f32_status quadrotor_f32_refuse(const quadrotor_f32_state *stat
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static quadrotor_f32_status quadrotor_f32_verdict(const float clearance,
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *params,
         quadrotor_f32_command *command)
 {
+    float share = 1.0F;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const float size = fabsf(command->force[i]);
+        if (size > params->force_limit[i]) {
+            const float part = params->force_limit[i]/size;
+            share = part < share ? part : share;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        const float limit = params->force_limit[i];
+        const float force = command->force[i]*share;
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(fabsf(command->force[i]) <= limit)) {
+            *command = quadrotor_f32_nothing;
+            return QUADROTOR_F32_NONFINITE_INPUT;
+        }
+    }
+    return QUADROTOR_F32_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_params *params,
+        const float clearance, quadrotor_f32_command *command)
+{
     quadrotor_f32_status status = QUADROTOR_F32_OK;
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
-            isfinite(command->force[2]))) {
-        *command = quadrotor_f32_nothing;
-        status = QUADROTOR_F32_NONFINITE_INPUT;
+    if (!(fabsf(command->force[0]) <= params->force_limit[0]
+            && fabsf(command->force[1]) <= params->force_limit[1]
+            && fabsf(command->force[2]) <= params->force_limit[2])) {
+        status = quadrotor_f32_saturate(params, command);
     }
     if (clearance < QUADROTOR_F32_REFUSED_CUT) {
         *command = quadrotor_f32_nothing;
@@ -624,7 +650,7 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         return quadrotor_f32_refuse(state, reference, QUADROTOR_F32_NOT_ON_GROUP, command);
     }
     clearance = quadrotor_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
-    return quadrotor_f32_verdict(clearance, command);
+    return quadrotor_f32_verdict(params, clearance, command);
 }
 
 quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *params)
@@ -647,6 +673,12 @@ quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *para
     }
     if (!(params->max_drift > 0.0F && params->max_drift <= QUADROTOR_F32_MOST_DRIFT)) {
         return QUADROTOR_F32_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= QUADROTOR_F32_MIN_GAIN && params->force_limit[i] <=
+                QUADROTOR_F32_MAX_PARAM)) {
+            return QUADROTOR_F32_BAD_PARAMS;
+        }
     }
     if (fabsf(params->inertia[1]) > 0.0F) {
         return QUADROTOR_F32_BAD_PARAMS;

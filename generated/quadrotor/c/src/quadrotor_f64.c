@@ -144,6 +144,7 @@ const quadrotor_f64_params quadrotor_f64_defaults = {
     {0.0085, 0.0, 0.00012, 0.0088, 0.0, 0.0152},
     6.0, /* lambda */
     1.0e1, /* k_s */
+    {0.8, 0.8, 0.1}, /* force_limit */
     1.0e-6 /* max_drift */
 };
 
@@ -570,15 +571,40 @@ static quadrotor_f64_status quadrotor_f64_refuse(const quadrotor_f64_state *stat
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static quadrotor_f64_status quadrotor_f64_verdict(const double clearance,
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
+    double share = 1.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double size = fabs(command->force[i]);
+        if (size > params->force_limit[i]) {
+            const double part = params->force_limit[i]/size;
+            share = part < share ? part : share;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        const double limit = params->force_limit[i];
+        const double force = command->force[i]*share;
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(fabs(command->force[i]) <= limit)) {
+            *command = quadrotor_f64_nothing;
+            return QUADROTOR_F64_NONFINITE_INPUT;
+        }
+    }
+    return QUADROTOR_F64_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static quadrotor_f64_status quadrotor_f64_verdict(const quadrotor_f64_params *params,
+        const double clearance, quadrotor_f64_command *command)
+{
     quadrotor_f64_status status = QUADROTOR_F64_OK;
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
-            isfinite(command->force[2]))) {
-        *command = quadrotor_f64_nothing;
-        status = QUADROTOR_F64_NONFINITE_INPUT;
+    if (!(fabs(command->force[0]) <= params->force_limit[0]
+            && fabs(command->force[1]) <= params->force_limit[1]
+            && fabs(command->force[2]) <= params->force_limit[2])) {
+        status = quadrotor_f64_saturate(params, command);
     }
     if (clearance < QUADROTOR_F64_REFUSED_CUT) {
         *command = quadrotor_f64_nothing;
@@ -637,7 +663,7 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         return quadrotor_f64_refuse(state, reference, QUADROTOR_F64_NOT_ON_GROUP, command);
     }
     clearance = quadrotor_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
-    return quadrotor_f64_verdict(clearance, command);
+    return quadrotor_f64_verdict(params, clearance, command);
 }
 
 quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *params)
@@ -660,6 +686,12 @@ quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *para
     }
     if (!(params->max_drift > 0.0 && params->max_drift <= QUADROTOR_F64_MOST_DRIFT)) {
         return QUADROTOR_F64_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= QUADROTOR_F64_MIN_GAIN && params->force_limit[i] <=
+                QUADROTOR_F64_MAX_PARAM)) {
+            return QUADROTOR_F64_BAD_PARAMS;
+        }
     }
     if (fabs(params->inertia[1]) > 0.0) {
         return QUADROTOR_F64_BAD_PARAMS;
