@@ -7,7 +7,7 @@ from fractions import Fraction
 
 CONSTANTS = {
     "TINY": {"f64": Fraction("1e-290"), "f32": Fraction("1e-30")},
-    "SMALL": {"f64": Fraction("1e-60"), "f32": Fraction("1e-10")},
+    "SMALL": {"f64": Fraction("1e-60"), "f32": Fraction("1e-12")},
 }
 """Values of the kernel's named constants; an ulp over TINY does not overflow, nor SMALL^-3."""
 

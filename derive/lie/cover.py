@@ -7,13 +7,13 @@ layer knows the formulas and not what a derivation is.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
 from sympy import Expr, Matrix, Piecewise, pi, sqrt
 
-from derive.lie.kernel import SMALL, TINY, H, K
+from derive.lie.kernel import SMALL, H, K
 
 Let = Callable[..., Any]
 """let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
@@ -37,6 +37,20 @@ class Cover:
         return {w: w_dot, **dict(zip(v, v_dot, strict=True))}
 
 
+@dataclass(frozen=True)
+class Scaled(Cover):
+    """The same, and its vector part before it is brought to unit length.
+
+    raw:      v/scale, (3, 1): a law made of raw and scale needs no v
+    scale:    1 over the length of the quaternion that raw belongs to
+    distance: where w and -w are two elements |v| for w < 0, else 1
+    """
+
+    raw: Matrix
+    scale: Expr
+    distance: Expr = sympy.S.One
+
+
 def choose(*cases: tuple[Matrix, Any]) -> Matrix:
     """The first matrix whose condition holds, entry by entry; the last condition is True."""
     columns = zip(*(value for value, _ in cases), strict=True)
@@ -46,16 +60,18 @@ def choose(*cases: tuple[Matrix, Any]) -> Matrix:
     )
 
 
-def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
+def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Scaled:
     """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
 
     B = 4 p p^T for a rotation, p = (v, w). The column of the largest diagonal entry, multiplied
     once more by B, is p up to a factor in [4, 16]: one power step damps what is not orthonormal.
-    The scalar comes last, so that sums end with their largest term at small angles.
+    Of any matrix that factor is at least 1: a diagonal with the sum 4 has an entry of 1 or more,
+    and the power step squares it. The scalar comes last, so that sums end with their largest
+    term at small angles.
     At angle pi the column chosen makes the largest |v_i| positive, the first index wins.
     A carrier turns translations too, for which a divided h is too rough.
     """
-    B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
+    B = let("B", _quadruple(let, stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
     B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
     columns = [B[:, j] for j in range(4)]
     x, y, z, w = (B[j, j] for j in range(4))
@@ -71,23 +87,50 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
         "a column of B that cannot vanish",
     )
     power = let("power", B * column, "1", "the column after one power step")
-    norm = let("norm", sqrt(power.dot(power) + TINY), "1", "its length")
+    square = _square(let, power[:3, :])
+    norm = let("norm", sqrt(square + power[3] ** 2), "1", "its length")
     signed = Piecewise((-1 / norm, power[3] < 0), (1 / norm, True), evaluate=False)
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
-    w = let("w", power[3] * scale, "1", "cos of half the error angle")
-    v = let("v", power[:3, :] * scale, "1", "sin of half the error angle times its axis")
-    (polynomials if is_carrier else _half)(let, w)
-    return Cover(w, v)
+    error = _scaled(let, power[3], power[:3, :], scale)
+    if is_carrier:
+        polynomials(let, error.w)
+    else:
+        k = let("k", K(error.w), "1", "half angle over its sine", stands_for=K(error.w))
+        _divided(let, square, error, k)
+    return error
 
 
-def of_quaternion(let: Let, stored: Matrix) -> Cover:
-    """Unit quaternion of stored numbers q (4, 1), scalar first, its sign kept."""
-    norm = let("norm", sqrt(stored.dot(stored) + TINY), "1", "length of the quaternion")
+def of_quaternion(let: Let, stored: Matrix) -> Scaled:
+    """Unit quaternion of stored numbers q (4, 1), scalar first, its sign kept.
+
+    Its kernel goes on below w = 0 by k(w) = pi/s - k(-w), up to -i, where there is no axis, and
+    property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
+    """
+    square = _square(let, stored[1:, :])
+    norm = let("norm", sqrt(square + stored[0] ** 2), "1", "length of the quaternion")
     scale = let("scale", 1 / norm, "1", "to unit length")
-    w = let("w", stored[0] * scale, "1", "cos of half the error angle")
-    v = let("v", stored[1:, :] * scale, "1", "sin of half the error angle times its axis")
-    _full(let, w, v)
-    return Cover(w, v)
+    error = _scaled(let, stored[0], stored[1:, :], scale)
+    w = error.w
+    near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
+    far = Piecewise((sympy.S.One, w >= 0), (sqrt(square) * scale, True), evaluate=False)
+    distance = let("distance", far, "1", "distance from -i: |v| beyond pi, and 1 before")
+    value = Piecewise((near, w >= 0), (pi / distance - near, True), evaluate=False)
+    k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
+    _divided(let, square, error, k)
+    return replace(error, distance=distance)
+
+
+def _square(let: Let, raw: Matrix) -> Expr:
+    """|raw|^2, over which h and, beyond pi, k are divided: never zero."""
+    value = raw.dot(raw) + SMALL**2
+    found: Expr = let("square", value, "1", "square of its vector part, and never zero")
+    return found
+
+
+def _scaled(let: Let, scalar: Expr, raw: Matrix, scale: Expr) -> Scaled:
+    w = let("w", scalar * scale, "1", "cos of half the error angle")
+    v = let("v", raw * scale, "1", "sin of half the error angle times its axis")
+    return Scaled(w, v, raw, scale)
 
 
 def polynomials(let: Let, w: Expr) -> None:
@@ -96,40 +139,28 @@ def polynomials(let: Let, w: Expr) -> None:
     let("h", H(w), "1", "-dk/dw", stands_for=H(w))
 
 
-def _half(let: Let, w: Expr) -> None:
-    """Kernel for w in [0, 1]: k by its polynomial, h by the identity s^2 h = 1 - w k."""
-    k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
-    _divided(let, (1 - w) * (1 + w), w, k)
+def _divided(let: Let, square: Expr, error: Scaled, k: Expr) -> None:
+    """h scale^2 from s^2 = square scale^2: rough where s is small, and so little that none sees it.
 
-
-def _full(let: Let, w: Expr, v: Matrix) -> None:
-    """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w).
-
-    At -i there is no axis, and property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
+    Whoever needs h alone gets it from there.
     """
-    near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
-    s = let("sine", sqrt(v.dot(v)), "1", "|v|")
-    far = pi / (s + TINY) - near
-    value = Piecewise((near, w >= 0), (far, s > SMALL), (sympy.S.Zero, True), evaluate=False)
-    k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
-    _divided(let, v.dot(v), w, k)
+    w, scale = error.w, error.scale
+    doc, value = "-dk/dw by the scale's square, as s^2 h = 1 - w k", (1 - w * k) / square
+    h = let("h_raw", value, "1", doc, stands_for=H(w) * scale**2)
+    let("h", h / scale**2, "1", "-dk/dw", stands_for=H(w))
 
 
-def _divided(let: Let, square: Expr, w: Expr, k: Expr) -> None:
-    """h from s^2: where s is small the quotient is rough, and so little that none sees it."""
-    quotient = (1 - w * k) / (square + TINY)
-    let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
-
-
-def _quadruple(R: Matrix) -> Matrix:
+def _quadruple(let: Let, R: Matrix) -> Matrix:
     """Upper triangle, by rows, of 4 p p^T from a rotation R (3, 3), p = (v, w)."""
     x, y, z = R[0, 0], R[1, 1], R[2, 2]
+    pairs = Matrix([1 + x, 1 - x, y + z, y - z])
+    more, less, both, apart = let("pairs", pairs, "1", "what B's diagonal is made of")
     return Matrix(
         [
-            1 + (x - y - z), R[0, 1] + R[1, 0], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2],
-            1 + (y - x - z), R[1, 2] + R[2, 1], R[0, 2] - R[2, 0],
-            1 + (z - x - y), R[1, 0] - R[0, 1],
-            1 + (x + y + z),
+            more - both, R[0, 1] + R[1, 0], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2],
+            less + apart, R[1, 2] + R[2, 1], R[0, 2] - R[2, 0],
+            less - apart, R[1, 0] - R[0, 1],
+            more + both,
         ]
     )  # fmt: skip
 
