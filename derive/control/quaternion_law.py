@@ -44,7 +44,8 @@ class Quaternion:
         w, raw, scale = error.w, error.raw, error.scale
         clearance = self.clearance(let, error) if self.clearance else sympy.S.One
         share, p = _parted(self.factor(let, error))
-        reach = let("reach", p * scale, "1", "ratio of nu_u to the vector part, but for a number")
+        reach = let("reach", p * scale, "1", "p by the scale, but for a number")
+        ratio = let("ratio", 2 * share * reach, "1", "ratio of nu_u to the vector part")
         fall = let("fall", -sympy.diff(p, w) * scale**2, "1", "-dp/dw by the scale's square")
         along = let("along", _along(w, p), "1", "rate of the law along the axis")
 
@@ -54,7 +55,7 @@ class Quaternion:
             bend = let("bend", raw.cross(turn), "rad/s", "vector part x that")
             return along * part + reach * turn + fall * bend
 
-        return Written(2 * share * reach * raw, rate, clearance)
+        return Written(ratio * raw, rate, clearance)
 
 
 def _parted(p: Expr) -> tuple[Expr, Expr]:

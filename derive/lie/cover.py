@@ -89,7 +89,8 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Scaled
     power = let("power", B * column, "1", "the column after one power step")
     square = _square(let, power[:3, :])
     norm = let("norm", sqrt(square + power[3] ** 2), "1", "its length")
-    signed = Piecewise((-1 / norm, power[3] < 0), (1 / norm, True), evaluate=False)
+    inverse = let("inverse_norm", 1 / norm, "1", "to unit length")
+    signed = Piecewise((-inverse, power[3] < 0), (inverse, True), evaluate=False)
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
     error = _scaled(let, power[3], power[:3, :], scale)
     if is_carrier:
