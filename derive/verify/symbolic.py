@@ -20,7 +20,7 @@ from derive.control.kinematic import apply, laws_of
 from derive.lie.cover import Cover
 from derive.lie.family import MARKS
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY, exact
+from derive.lie.kernel import CONSTANTS, exact
 from derive.routine.derivation import Derivation, Quantity
 from derive.routine.rate import rate
 from derive.verify.derived import lie_group
@@ -113,7 +113,7 @@ def _point(d: Derivation, vehicle: Plant, rng: random.Random) -> dict[Any, Any]:
     stored = matrix_group.store(vehicle.space, matrix_group.exp(vehicle.space, x))
     nu = [Rational(rng.randint(-50, 50), 7) for _ in range(n)]
     symbols = [symbol for quantity in d.inputs for symbol in quantity.symbols()]
-    vanished = {TINY: sympy.S.Zero, SMALL: sympy.S.Zero}
+    vanished = dict.fromkeys(CONSTANTS, sympy.S.Zero)
     return {**dict(zip(symbols, [*map(_rational, stored), *nu], strict=True)), **vanished}
 
 
