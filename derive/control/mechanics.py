@@ -41,21 +41,22 @@ class MechanicalSystem:
         coad, flat = self.group.coad, self.flat
         return (self.group.bracket(x, y) - self.sharp(coad(x) * flat(y) + coad(y) * flat(x))) / 2
 
-    def pivots(self, d: Derivation) -> tuple[Matrix, Matrix]:
+    def pivots(self, d: Derivation, is_checked: bool = True) -> tuple[Matrix, Matrix]:
         """Steps of I = L D L^T: unit lower triangular L (n, n) and pivots D (n, 1).
 
         All pivots are positive if and only if the inertia is positive definite.
+        is_checked: they are known to be; else what is divided by is 1 from a bad pivot on, which
+        changes no verdict: one pivot that is not positive is enough
         """
-        n = self.dim
+        n, unit = self.dim, self.group.inertia_unit
         lower, pivot = sympy.eye(n), sympy.zeros(n, 1)
         for j in range(n):
             left = sum((lower[j, k] ** 2 * pivot[k] for k in range(j)), sympy.S.Zero)
-            pivot[j] = d.let(
-                f"pivot_{j}", self.inertia[j, j] - left, self.group.inertia_unit, "pivot of I"
-            )
+            pivot[j] = d.let(f"pivot_{j}", self.inertia[j, j] - left, unit, "pivot of I")
+            below = pivot[j] if is_checked or j + 1 == n else _positive(d, j, pivot[j], unit)
             for i in range(j + 1, n):
                 left = sum((lower[i, k] * lower[j, k] * pivot[k] for k in range(j)), sympy.S.Zero)
-                value = (self.inertia[i, j] - left) / pivot[j]
+                value = (self.inertia[i, j] - left) / below
                 lower[i, j] = d.let(f"lower_{i}{j}", value, "1", "I = L D L^T, entry of L")
         return lower, pivot
 
@@ -73,6 +74,12 @@ class MechanicalSystem:
             unit, doc = self.group.acceleration_unit, "back substitution"
             x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, unit, doc)
         return Matrix(x)
+
+
+def _positive(d: Derivation, j: int, pivot: Any, unit: str) -> Any:
+    """Step of what is divided by: the pivot, or 1 where it is zero, negative or not a number."""
+    value = sympy.Piecewise((pivot, pivot > 0), (sympy.S.One, True), evaluate=False)
+    return d.let(f"divisor_{j}", value, unit, "the pivot, or 1 where it is bad")
 
 
 def symmetric(entries: Matrix, pattern: tuple[bool, ...]) -> ImmutableMatrix:
@@ -160,7 +167,7 @@ def definiteness(group: Group, pattern: tuple[bool, ...]) -> Derivation:
     """Pivots of the inertia: all positive if and only if it is positive definite."""
     d = Derivation("definiteness", "pivots of the inertia: all positive for a valid one", "")
     system = take_system(d, group, pattern)
-    _, pivot = system.pivots(d)
+    _, pivot = system.pivots(d, is_checked=False)
     output = Quantity("pivot", group.dim, group.inertia_unit, "pivots of I", place="pivot")
     d.give(output, pivot)
     return d.pruned()

@@ -13,11 +13,17 @@ from typing import Any
 import sympy
 from sympy import Expr, Matrix, Piecewise, pi, sqrt
 
-from derive.lie.kernel import SMALL, H, K
+from derive.lie.kernel import CUT, FLOOR, H, K
 
 Let = Callable[..., Any]
 """let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
 
+
+NEAR_ROTATION = sympy.Integer(49)
+"""Below the squared length of `power`, which is at least 64 for a rotation."""
+
+NEAR_UNIT = sympy.Rational(3, 4)
+"""Below the squared length of a unit quaternion."""
 
 MARKLEY = "polar factor of Markley and Bar-Itzhack"
 
@@ -60,16 +66,32 @@ def choose(*cases: tuple[Matrix, Any]) -> Matrix:
     )
 
 
+def at_least(value: Expr, least: Expr | int) -> Expr:
+    """max(value, least): a bound that interval arithmetic sees, and no rotation meets."""
+    return Piecewise((sympy.sympify(least), value < least), (value, True), evaluate=False)
+
+
+def at_most(value: Expr, most: Expr | int) -> Expr:
+    """min(value, most)."""
+    return Piecewise((sympy.sympify(most), value > most), (value, True), evaluate=False)
+
+
+def let_cosine(let: Let, value: Expr) -> Expr:
+    """Step of w, at most 1: beyond, polynomials grow fast."""
+    cosine = let("cosine", value, "1", "cos of half the error angle, rounded")
+    found: Expr = let("w", at_most(cosine, 1), "1", "cos of half the error angle")
+    return found
+
+
 def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Scaled:
     """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
 
     B = 4 p p^T for a rotation, p = (v, w). The column of the largest diagonal entry, multiplied
     once more by B, is p up to a factor in [4, 16]: one power step damps what is not orthonormal.
-    Of any matrix that factor is at least 1: a diagonal with the sum 4 has an entry of 1 or more,
-    and the power step squares it. The scalar comes last, so that sums end with their largest
-    term at small angles.
+    The scalar comes last, so that sums end with their largest term at small angles.
     At angle pi the column chosen makes the largest |v_i| positive, the first index wins.
-    A carrier turns translations too, for which a divided h is too rough.
+    A carrier turns translations too, for which a divided h is too rough; they are the longer the
+    more its polynomials are off, so that w is kept from being above 1 by an ulp or more.
     """
     B = let("B", _quadruple(let, stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
     B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
@@ -88,16 +110,16 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Scaled
     )
     power = let("power", B * column, "1", "the column after one power step")
     square = _square(let, power[:3, :])
-    norm = let("norm", sqrt(square + power[3] ** 2), "1", "its length")
+    norm = _length(let, square + power[3] ** 2, NEAR_ROTATION)
     inverse = let("inverse_norm", 1 / norm, "1", "to unit length")
     signed = Piecewise((-inverse, power[3] < 0), (inverse, True), evaluate=False)
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
-    error = _scaled(let, power[3], power[:3, :], scale)
+    error = _scaled(let, power[3], power[:3, :], scale, let_cosine if is_carrier else _cosine)
     if is_carrier:
         polynomials(let, error.w)
     else:
         k = let("k", K(error.w), "1", "half angle over its sine", stands_for=K(error.w))
-        _divided(let, square, error, k)
+        _divided(let, square + FLOOR, error, k)
     return error
 
 
@@ -108,28 +130,43 @@ def of_quaternion(let: Let, stored: Matrix) -> Scaled:
     property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
     """
     square = _square(let, stored[1:, :])
-    norm = let("norm", sqrt(square + stored[0] ** 2), "1", "length of the quaternion")
+    norm = _length(let, square + stored[0] ** 2, NEAR_UNIT)
     scale = let("scale", 1 / norm, "1", "to unit length")
-    error = _scaled(let, stored[0], stored[1:, :], scale)
+    error = _scaled(let, stored[0], stored[1:, :], scale, _cosine)
     w = error.w
     near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
-    far = Piecewise((sympy.S.One, w >= 0), (sqrt(square) * scale, True), evaluate=False)
+    cases = (square + FLOOR, w >= 0), (square, square > CUT**2), (CUT**2, True)
+    divisor = let("divisor", Piecewise(*cases, evaluate=False), "1", "the same, never zero")
+    far = Piecewise((sympy.S.One, w >= 0), (sqrt(divisor) * scale, True), evaluate=False)
     distance = let("distance", far, "1", "distance from -i: |v| beyond pi, and 1 before")
     value = Piecewise((near, w >= 0), (pi / distance - near, True), evaluate=False)
     k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
-    _divided(let, square, error, k)
+    _divided(let, divisor, error, k)
     return replace(error, distance=distance)
 
 
 def _square(let: Let, raw: Matrix) -> Expr:
-    """|raw|^2, over which h and, beyond pi, k are divided: never zero."""
-    value = raw.dot(raw) + SMALL**2
-    found: Expr = let("square", value, "1", "square of its vector part, and never zero")
+    found: Expr = let("square", raw.dot(raw), "1", "square of its vector part")
     return found
 
 
-def _scaled(let: Let, scalar: Expr, raw: Matrix, scale: Expr) -> Scaled:
-    w = let("w", scalar * scale, "1", "cos of half the error angle")
+def _length(let: Let, square: Expr, least: Expr) -> Expr:
+    """Step of a length whose square is known to be above `least`."""
+    square = let("norm_square", square, "1", "its squared length")
+    bounded = let("norm_bounded", at_least(square, least), "1", "the same: less is no element")
+    found: Expr = let("norm", sqrt(bounded), "1", "its length")
+    return found
+
+
+def _cosine(let: Let, value: Expr) -> Expr:
+    found: Expr = let("w", value, "1", "cos of half the error angle")
+    return found
+
+
+def _scaled(
+    let: Let, scalar: Expr, raw: Matrix, scale: Expr, cosine: Callable[[Let, Expr], Expr]
+) -> Scaled:
+    w = cosine(let, scalar * scale)
     v = let("v", raw * scale, "1", "sin of half the error angle times its axis")
     return Scaled(w, v, raw, scale)
 

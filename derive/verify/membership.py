@@ -5,16 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import permutations
 from typing import Any
 
 Row = Sequence[Fraction]
 
 
 def residual(factors: Sequence[str], g: Row) -> list[Fraction] | None:
-    """Of each factor R^T R - 1 (upper triangle), det R - 1 and the rows below; |q|^2 - 1.
+    """Of each factor what its columns are off a rotation by, and the rows below; |q|^2 - 1.
 
-    None for a factor that is not known, a user's group.
+    In space: a.a - 1, a.b, b.b - 1 and c - a x b of its columns a, b, c. In the plane: a.a - 1 and
+    b - J a, J a quarter turn. None for a factor that is not known, a user's group.
     """
     found: list[Fraction] = []
     start = 0
@@ -42,25 +42,26 @@ def _quaternion(q: Row) -> list[Fraction]:
 def _rigid(g: Row, size: int, whole: int) -> list[Fraction]:
     rows = [list(g[i * whole : (i + 1) * whole]) for i in range(whole)]
     columns = [[rows[i][j] for i in range(size)] for j in range(size)]
-    gram = [
-        sum((a * b for a, b in zip(columns[i], columns[j], strict=True)), Fraction(-(i == j)))
-        for i in range(size)
-        for j in range(i, size)
-    ]
+    first, *others = columns
+    found = [_dot(first, first) - 1]
+    if size == 2:
+        found += [x - y for x, y in zip(others[0], (-first[1], first[0]), strict=True)]
+    else:
+        second, last = others
+        found += [_dot(first, second), _dot(second, second) - 1]
+        found += [last[k] - _minor(first, second, k) for k in range(3)]
     below = [rows[i][j] - (i == j) for i in range(size, whole) for j in range(whole)]
-    return [*gram, determinant(columns) - 1, *below]
+    return [*found, *below]
 
 
-def determinant(a: Sequence[Row]) -> Fraction:
-    """By Leibniz's sum, for the 2 or 3 rows there are."""
-    total = Fraction(0)
-    for order in permutations(range(len(a))):
-        swaps = sum(x > y for i, x in enumerate(order) for y in order[i + 1 :])
-        term = Fraction((-1) ** swaps)
-        for i, j in enumerate(order):
-            term *= a[i][j]
-        total += term
-    return total
+def _dot(a: Row, b: Row) -> Fraction:
+    return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
+
+
+def _minor(a: Row, b: Row, k: int) -> Fraction:
+    """Entry k of a x b."""
+    i, j = (k + 1) % 3, (k + 2) % 3
+    return a[i] * b[j] - a[j] * b[i]
 
 
 def pivots(upper: Row, n: int) -> list[Fraction]:

@@ -339,8 +339,13 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    # norm_square: squared length [1]
+    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
@@ -352,8 +357,10 @@ def _law(
     v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
+    # sine_square: 1 - w^2, below zero by an ulp at most [1]
+    sine_square = (1.0 + w)*(1.0 - w)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
+    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
@@ -449,8 +456,13 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    # norm_square: squared length [1]
+    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
@@ -462,8 +474,10 @@ def _reaching(
     v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
+    # sine_square: 1 - w^2, below zero by an ulp at most [1]
+    sine_square = (1.0 + w)*(1.0 - w)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
+    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1

@@ -438,13 +438,21 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    # norm_square: squared length [1]
+    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = power_3*scale
     # w: cos of half the error angle [1]
-    w = power_3*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # v: sin of half the error angle times its axis [1]
     v_0 = power_0*scale
     v_1 = power_1*scale
@@ -632,13 +640,21 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    # norm_square: squared length [1]
+    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = power_3*scale
     # w: cos of half the error angle [1]
-    w = power_3*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # v: sin of half the error angle times its axis [1]
     v_0 = power_0*scale
     v_1 = power_1*scale
@@ -922,47 +938,62 @@ def _definiteness(
         inertia[8], inertia[10], inertia[11], inertia[12], inertia[13], inertia[15], inertia[18],
         inertia[20]
     )
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_0_if_0 = inertia_0.real > 0.0
+    divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
-    lower_10 = inertia_1/inertia_0
+    lower_10 = inertia_1/divisor_0
     # lower_20: I = L D L^T, entry of L [1]
-    lower_20 = inertia_2/inertia_0
+    lower_20 = inertia_2/divisor_0
     # lower_40: I = L D L^T, entry of L [1]
-    lower_40 = inertia_4/inertia_0
+    lower_40 = inertia_4/divisor_0
     # lower_50: I = L D L^T, entry of L [1]
-    lower_50 = inertia_5/inertia_0
+    lower_50 = inertia_5/divisor_0
     # pivot_1: pivot of I [kg m^2, kg m, kg]
     pivot_1 = inertia_6 - inertia_0*lower_10*lower_10
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_1_if_0 = pivot_1.real > 0.0
+    divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
-    lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/pivot_1
+    lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/divisor_1
     # lower_31: I = L D L^T, entry of L [1]
-    lower_31 = inertia_8/pivot_1
+    lower_31 = inertia_8/divisor_1
     # lower_41: I = L D L^T, entry of L [1]
-    lower_41 = -inertia_0*lower_10*lower_40/pivot_1
+    lower_41 = -inertia_0*lower_10*lower_40/divisor_1
     # lower_51: I = L D L^T, entry of L [1]
-    lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/pivot_1
+    lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21
+    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_2_if_0 = pivot_2.real > 0.0
+    divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_32: I = L D L^T, entry of L [1]
-    lower_32 = (inertia_12 - lower_21*lower_31*pivot_1)/pivot_2
+    lower_32 = (inertia_12 - lower_21*lower_31*pivot_1)/divisor_2
     # lower_42: I = L D L^T, entry of L [1]
-    lower_42 = (inertia_13 - inertia_0*lower_20*lower_40 - lower_21*lower_41*pivot_1)/pivot_2
+    lower_42 = (inertia_13 - inertia_0*lower_20*lower_40 - lower_21*lower_41*pivot_1)/divisor_2
     # lower_52: I = L D L^T, entry of L [1]
-    lower_52 = (-(inertia_0*lower_20*lower_50 + lower_21*lower_51*pivot_1))/pivot_2
+    lower_52 = (-(inertia_0*lower_20*lower_50 + lower_21*lower_51*pivot_1))/divisor_2
     # pivot_3: pivot of I [kg m^2, kg m, kg]
     pivot_3 = inertia_15 - pivot_1*lower_31*lower_31 - pivot_2*lower_32*lower_32
+    # divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_3_if_0 = pivot_3.real > 0.0
+    divisor_3 = np.where(divisor_3_if_0, pivot_3, 1.0)
     # lower_43: I = L D L^T, entry of L [1]
-    lower_43 = (-(lower_31*lower_41*pivot_1 + lower_32*lower_42*pivot_2))/pivot_3
+    lower_43 = (-(lower_31*lower_41*pivot_1 + lower_32*lower_42*pivot_2))/divisor_3
     # lower_53: I = L D L^T, entry of L [1]
-    lower_53 = (-(lower_31*lower_51*pivot_1 + lower_32*lower_52*pivot_2))/pivot_3
+    lower_53 = (-(lower_31*lower_51*pivot_1 + lower_32*lower_52*pivot_2))/divisor_3
     # pivot_4: pivot of I [kg m^2, kg m, kg]
     pivot_4 = (
         inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43
     )
+    # divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_4_if_0 = pivot_4.real > 0.0
+    divisor_4 = np.where(divisor_4_if_0, pivot_4, 1.0)
     # lower_54: I = L D L^T, entry of L [1]
     lower_54 = (
         (-(inertia_0*lower_40*lower_50 + lower_41*lower_51*pivot_1 + lower_42*lower_52*pivot_2 +
-        lower_43*lower_53*pivot_3))/pivot_4
+        lower_43*lower_53*pivot_3))/divisor_4
     )
     # pivot_5: pivot of I [kg m^2, kg m, kg]
     pivot_5 = (

@@ -329,17 +329,30 @@ def _law(
     # twice: 2 cos and 2 sin of the angle [1]
     twice_0 = g_e_0 + g_e_4
     twice_1 = g_e_3 - g_e_1
+    # norm_square: their squared length [1]
+    norm_square = twice_0*twice_0 + twice_1*twice_1
+    # norm_bounded: the same: less is no turn [1]
+    norm_bounded_if_0 = norm_square.real < 3.0
+    norm_bounded = np.where(norm_bounded_if_0, 3.0, norm_square)
     # norm: their length [1]
-    norm = np.sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1)
+    norm = np.sqrt(norm_bounded)
     # column: cos >= 0 and sin of half the angle, unscaled [1]
     column_if_0 = twice_0.real >= 0.0
     column_if_1 = twice_1.real >= 0.0
     column_0 = np.where(column_if_0, norm + twice_0, np.where(column_if_1, twice_1, -twice_1))
     column_1 = np.where(column_if_0, twice_1, np.where(column_if_1, norm - twice_0, twice_0 - norm))
+    # column_square: squared length [1]
+    column_square = column_0*column_0 + column_1*column_1
+    # column_bounded: the same [1]
+    column_bounded_if_0 = column_square.real < 3.0
+    column_bounded = np.where(column_bounded_if_0, 3.0, column_square)
     # scale: to unit length [1]
-    scale = 1.0/np.sqrt(1.0e-290 + column_0*column_0 + column_1*column_1)
+    scale = 1.0/np.sqrt(column_bounded)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = column_0*scale
     # w: cos of half the error angle [1]
-    w = column_0*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # sine: sin of half the error angle [1]
     sine = column_1*scale
     # k: half angle over its sine [1]
@@ -414,17 +427,30 @@ def _reaching(
     # twice: 2 cos and 2 sin of the angle [1]
     twice_0 = g_0 + g_4
     twice_1 = g_3 - g_1
+    # norm_square: their squared length [1]
+    norm_square = twice_0*twice_0 + twice_1*twice_1
+    # norm_bounded: the same: less is no turn [1]
+    norm_bounded_if_0 = norm_square.real < 3.0
+    norm_bounded = np.where(norm_bounded_if_0, 3.0, norm_square)
     # norm: their length [1]
-    norm = np.sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1)
+    norm = np.sqrt(norm_bounded)
     # column: cos >= 0 and sin of half the angle, unscaled [1]
     column_if_0 = twice_0.real >= 0.0
     column_if_1 = twice_1.real >= 0.0
     column_0 = np.where(column_if_0, norm + twice_0, np.where(column_if_1, twice_1, -twice_1))
     column_1 = np.where(column_if_0, twice_1, np.where(column_if_1, norm - twice_0, twice_0 - norm))
+    # column_square: squared length [1]
+    column_square = column_0*column_0 + column_1*column_1
+    # column_bounded: the same [1]
+    column_bounded_if_0 = column_square.real < 3.0
+    column_bounded = np.where(column_bounded_if_0, 3.0, column_square)
     # scale: to unit length [1]
-    scale = 1.0/np.sqrt(1.0e-290 + column_0*column_0 + column_1*column_1)
+    scale = 1.0/np.sqrt(column_bounded)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = column_0*scale
     # w: cos of half the error angle [1]
-    w = column_0*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # sine: sin of half the error angle [1]
     sine = column_1*scale
     # k: half angle over its sine [1]
@@ -538,8 +564,11 @@ def _definiteness(
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
     inertia_0, inertia_2, inertia_3, inertia_5 = inertia[0], inertia[2], inertia[3], inertia[5]
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_0_if_0 = inertia_0.real > 0.0
+    divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
-    lower_20 = inertia_2/inertia_0
+    lower_20 = inertia_2/divisor_0
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_5 - inertia_0*lower_20*lower_20
     # -- end --

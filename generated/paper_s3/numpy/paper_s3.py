@@ -308,8 +308,13 @@ def _law(
         eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
         eta_1*nu_e_0
     )
-    # norm: length of the quaternion [1]
-    norm = np.sqrt(1.0e-290 + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3)
+    # norm_square: squared length [1]
+    norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 0.75
+    norm_bounded = np.where(norm_bounded_if_0, 0.75, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
@@ -320,20 +325,21 @@ def _law(
     v_2 = g_e_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
+    # sine_square: v.v [1]
+    sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
+    # sine_bounded: the same, away from -i and i [1]
+    sine_bounded_if_0 = sine_square.real < (5.0e-9*5.0e-9).real
+    sine_bounded = np.where(sine_bounded_if_0, 5.0e-9*5.0e-9, sine_square)
     # sine: |v| [1]
-    sine = np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)
+    sine = np.sqrt(sine_bounded)
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k_if_1 = sine.real > 1.0e-60.real
-    k = (
-        np.where(k_if_0, k_near, np.where(k_if_1, 3.141592653589793/(sine + 1.0e-290) - k_near,
-        0.0))
-    )
+    k = np.where(k_if_0, k_near, 3.141592653589793/sine - k_near)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
+    h = (1.0 - k*w)/sine_bounded
     # distance: distance from -i [1]
     distance_if_0 = w.real < 0.0
-    distance = np.where(distance_if_0, np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2), 1.0)
+    distance = np.where(distance_if_0, sine, 1.0)
     # p: half of nu_u over v [1]
     p = 0.5*k
     # fall: -dp/dw [1]
@@ -409,8 +415,13 @@ def _reaching(
     reach_gain = k_s[0]
     g_0, g_1, g_2, g_3 = g[0], g[1], g[2], g[3]
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
-    # norm: length of the quaternion [1]
-    norm = np.sqrt(1.0e-290 + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3)
+    # norm_square: squared length [1]
+    norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 0.75
+    norm_bounded = np.where(norm_bounded_if_0, 0.75, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
@@ -421,17 +432,18 @@ def _reaching(
     v_2 = g_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
+    # sine_square: v.v [1]
+    sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
+    # sine_bounded: the same, away from -i and i [1]
+    sine_bounded_if_0 = sine_square.real < (5.0e-9*5.0e-9).real
+    sine_bounded = np.where(sine_bounded_if_0, 5.0e-9*5.0e-9, sine_square)
     # sine: |v| [1]
-    sine = np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)
+    sine = np.sqrt(sine_bounded)
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k_if_1 = sine.real > 1.0e-60.real
-    k = (
-        np.where(k_if_0, k_near, np.where(k_if_1, 3.141592653589793/(sine + 1.0e-290) - k_near,
-        0.0))
-    )
+    k = np.where(k_if_0, k_near, 3.141592653589793/sine - k_near)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
+    h = (1.0 - k*w)/sine_bounded
     # p: half of nu_u over v [1]
     p = 0.5*k
     # fall: -dp/dw [1]
@@ -556,14 +568,20 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
+    divisor_0_if_0 = inertia_0.real > 0.0
+    divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
-    lower_10 = inertia_1/inertia_0
+    lower_10 = inertia_1/divisor_0
     # lower_20: I = L D L^T, entry of L [1]
-    lower_20 = inertia_2/inertia_0
+    lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [kg m^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2]
+    divisor_1_if_0 = pivot_1.real > 0.0
+    divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
-    lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1
+    lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1
     # pivot_2: pivot of I [kg m^2]
     pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21
     # -- end --

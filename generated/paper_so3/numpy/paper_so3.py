@@ -329,8 +329,13 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    # norm_square: squared length [1]
+    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
@@ -342,8 +347,10 @@ def _law(
     v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
+    # sine_square: 1 - w^2, below zero by an ulp at most [1]
+    sine_square = (1.0 + w)*(1.0 - w)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
+    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
@@ -449,8 +456,13 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    # norm_square: squared length [1]
+    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
+    # norm: length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
     scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
@@ -462,8 +474,10 @@ def _reaching(
     v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
+    # sine_square: 1 - w^2, below zero by an ulp at most [1]
+    sine_square = (1.0 + w)*(1.0 - w)
     # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
+    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = 2.0*k*v_0
     nu_u_1 = 2.0*k*v_1
@@ -592,14 +606,20 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
+    divisor_0_if_0 = inertia_0.real > 0.0
+    divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
-    lower_10 = inertia_1/inertia_0
+    lower_10 = inertia_1/divisor_0
     # lower_20: I = L D L^T, entry of L [1]
-    lower_20 = inertia_2/inertia_0
+    lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [kg m^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2]
+    divisor_1_if_0 = pivot_1.real > 0.0
+    divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
-    lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1
+    lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1
     # pivot_2: pivot of I [kg m^2]
     pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21
     # -- end --

@@ -482,16 +482,23 @@ def _law(
     power_a_1 = B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3
     power_a_2 = B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3
     power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3
-    # norm_a: its length [1]
-    norm_a = (
-        np.sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-        power_a_3*power_a_3)
+    # norm_square_a: squared length [1]
+    norm_square_a = (
+        power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 + power_a_3*power_a_3
     )
+    # norm_bounded_a: the same: less is no element [1]
+    norm_bounded_a_if_0 = norm_square_a.real < 49.0
+    norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
+    # norm_a: length [1]
+    norm_a = np.sqrt(norm_bounded_a)
     # scale_a: to unit length, and to w >= 0: the shorter way round [1]
     scale_a_if_0 = power_a_3.real < 0.0
     scale_a = np.where(scale_a_if_0, -1.0/norm_a, 1.0/norm_a)
+    # cosine_a: cos of half the error angle, rounded [1]
+    cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
-    w_a = power_a_3*scale_a
+    w_a_if_0 = cosine_a.real > 1.0
+    w_a = np.where(w_a_if_0, 1.0, cosine_a)
     # v_a: sin of half the error angle times its axis [1]
     v_a_0 = power_a_0*scale_a
     v_a_1 = power_a_1*scale_a
@@ -558,11 +565,15 @@ def _law(
     power_b_1 = B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3
     power_b_2 = B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3
     power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3
-    # norm_b: its length [1]
-    norm_b = (
-        np.sqrt(1.0e-290 + power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
-        power_b_3*power_b_3)
+    # norm_square_b: squared length [1]
+    norm_square_b = (
+        power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3
     )
+    # norm_bounded_b: the same: less is no element [1]
+    norm_bounded_b_if_0 = norm_square_b.real < 49.0
+    norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
+    # norm_b: length [1]
+    norm_b = np.sqrt(norm_bounded_b)
     # scale_b: to unit length, and to w >= 0: the shorter way round [1]
     scale_b_if_0 = power_b_3.real < 0.0
     scale_b = np.where(scale_b_if_0, -1.0/norm_b, 1.0/norm_b)
@@ -574,8 +585,13 @@ def _law(
     v_b_2 = power_b_2*scale_b
     # k_b: half angle over its sine [1]
     k_b = _k(w_b)
+    # sine_square_b: 1 - w^2, below zero by an ulp at most [1]
+    sine_square_b = (1.0 + w_b)*(1.0 - w_b)
     # h_b: -dk/dw, as (1 - w k)/s^2 [1]
-    h_b = (1.0 - k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b))
+    h_b = (
+        (1.0 - k_b*w_b)/(1.0e-17 + np.where(sine_square_b.real < 0.0, -sine_square_b,
+        sine_square_b))
+    )
     # clearance_0: the smaller clearance [1]
     clearance_0_if_0 = w_a.real <= w_b.real
     clearance_0 = np.where(clearance_0_if_0, w_a, w_b)
@@ -767,16 +783,23 @@ def _reaching(
     power_a_1 = B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3
     power_a_2 = B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3
     power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3
-    # norm_a: its length [1]
-    norm_a = (
-        np.sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-        power_a_3*power_a_3)
+    # norm_square_a: squared length [1]
+    norm_square_a = (
+        power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 + power_a_3*power_a_3
     )
+    # norm_bounded_a: the same: less is no element [1]
+    norm_bounded_a_if_0 = norm_square_a.real < 49.0
+    norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
+    # norm_a: length [1]
+    norm_a = np.sqrt(norm_bounded_a)
     # scale_a: to unit length, and to w >= 0: the shorter way round [1]
     scale_a_if_0 = power_a_3.real < 0.0
     scale_a = np.where(scale_a_if_0, -1.0/norm_a, 1.0/norm_a)
+    # cosine_a: cos of half the error angle, rounded [1]
+    cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
-    w_a = power_a_3*scale_a
+    w_a_if_0 = cosine_a.real > 1.0
+    w_a = np.where(w_a_if_0, 1.0, cosine_a)
     # v_a: sin of half the error angle times its axis [1]
     v_a_0 = power_a_0*scale_a
     v_a_1 = power_a_1*scale_a
@@ -843,11 +866,15 @@ def _reaching(
     power_b_1 = B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3
     power_b_2 = B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3
     power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3
-    # norm_b: its length [1]
-    norm_b = (
-        np.sqrt(1.0e-290 + power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
-        power_b_3*power_b_3)
+    # norm_square_b: squared length [1]
+    norm_square_b = (
+        power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3
     )
+    # norm_bounded_b: the same: less is no element [1]
+    norm_bounded_b_if_0 = norm_square_b.real < 49.0
+    norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
+    # norm_b: length [1]
+    norm_b = np.sqrt(norm_bounded_b)
     # scale_b: to unit length, and to w >= 0: the shorter way round [1]
     scale_b_if_0 = power_b_3.real < 0.0
     scale_b = np.where(scale_b_if_0, -1.0/norm_b, 1.0/norm_b)
@@ -859,8 +886,13 @@ def _reaching(
     v_b_2 = power_b_2*scale_b
     # k_b: half angle over its sine [1]
     k_b = _k(w_b)
+    # sine_square_b: 1 - w^2, below zero by an ulp at most [1]
+    sine_square_b = (1.0 + w_b)*(1.0 - w_b)
     # h_b: -dk/dw, as (1 - w k)/s^2 [1]
-    h_b = (1.0 - k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b))
+    h_b = (
+        (1.0 - k_b*w_b)/(1.0e-17 + np.where(sine_square_b.real < 0.0, -sine_square_b,
+        sine_square_b))
+    )
     # nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw)
     nu_u_6 = 2.0*k_b*v_b_0
     nu_u_7 = 2.0*k_b*v_b_1
@@ -1110,16 +1142,25 @@ def _definiteness(
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_0_if_0 = inertia_0.real > 0.0
+    divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
-    lower_20 = inertia_2/inertia_0
+    lower_20 = inertia_2/divisor_0
     # lower_40: I = L D L^T, entry of L [1]
-    lower_40 = inertia_4/inertia_0
+    lower_40 = inertia_4/divisor_0
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_1_if_0 = inertia_9.real > 0.0
+    divisor_1 = np.where(divisor_1_if_0, inertia_9, 1.0)
     # lower_31: I = L D L^T, entry of L [1]
-    lower_31 = inertia_11/inertia_9
+    lower_31 = inertia_11/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_17 - inertia_0*lower_20*lower_20
+    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    divisor_2_if_0 = pivot_2.real > 0.0
+    divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_42: I = L D L^T, entry of L [1]
-    lower_42 = -inertia_0*lower_20*lower_40/pivot_2
+    lower_42 = -inertia_0*lower_20*lower_40/divisor_2
     # pivot_3: pivot of I [kg m^2, kg m, kg]
     pivot_3 = inertia_24 - inertia_9*lower_31*lower_31
     # pivot_4: pivot of I [kg m^2, kg m, kg]

@@ -131,9 +131,19 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
@@ -154,8 +164,11 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     /* k: half angle over its sine [1] */
     const float k = cubesat_3u_f32_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const float sine_square = (1.0F + w)*(1.0F - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w));
+    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const float nu_u_0 = 2.0F*k*v_0;
@@ -367,9 +380,19 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
@@ -390,8 +413,11 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
     /* k: half angle over its sine [1] */
     const float k = cubesat_3u_f32_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const float sine_square = (1.0F + w)*(1.0F - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w));
+    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const float nu_u_0 = 2.0F*k*v_0;

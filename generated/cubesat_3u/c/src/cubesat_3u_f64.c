@@ -143,9 +143,20 @@ static void cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
+        power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
@@ -166,8 +177,11 @@ static void cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
     /* k: half angle over its sine [1] */
     const double k = cubesat_3u_f64_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const double sine_square = (1.0 + w)*(1.0 - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w));
+    const double h = (1.0 - k*w)/(1.0e-17 + fabs(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const double nu_u_0 = 2.0*k*v_0;
@@ -379,9 +393,20 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
+        power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
@@ -402,8 +427,11 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
     /* k: half angle over its sine [1] */
     const double k = cubesat_3u_f64_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const double sine_square = (1.0 + w)*(1.0 - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w));
+    const double h = (1.0 - k*w)/(1.0e-17 + fabs(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const double nu_u_0 = 2.0*k*v_0;

@@ -245,9 +245,20 @@ static void freeflyer_f64_law(const freeflyer_f64_params *params, const freeflye
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
+        power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
@@ -257,8 +268,16 @@ static void freeflyer_f64_law(const freeflyer_f64_params *params, const freeflye
         scale = 1.0/norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const double w = power_3*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const double v_0 = power_0*scale;
@@ -470,62 +489,102 @@ static void freeflyer_f64_definiteness(const freeflyer_f64_params *params, doubl
         inertia_15 = params->inertia[15], inertia_18 = params->inertia[18],
         inertia_20 = params->inertia[20];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const double lower_10 = inertia_1/inertia_0;
+    const double lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const double lower_40 = inertia_4/inertia_0;
+    const double lower_40 = inertia_4/divisor_0;
 
     /* lower_50: I = L D L^T, entry of L [1] */
-    const double lower_50 = inertia_5/inertia_0;
+    const double lower_50 = inertia_5/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const double pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    double divisor_1;
+    if (pivot_1 > 0.0) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const double lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/pivot_1;
+    const double lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const double lower_31 = inertia_8/pivot_1;
+    const double lower_31 = inertia_8/divisor_1;
 
     /* lower_41: I = L D L^T, entry of L [1] */
-    const double lower_41 = -inertia_0*lower_10*lower_40/pivot_1;
+    const double lower_41 = -inertia_0*lower_10*lower_40/divisor_1;
 
     /* lower_51: I = L D L^T, entry of L [1] */
-    const double lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/pivot_1;
+    const double lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
+    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    double divisor_2;
+    if (pivot_2 > 0.0) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0;
+    }
+
     /* lower_32: I = L D L^T, entry of L [1] */
-    const double lower_32 = (inertia_12 - lower_21*lower_31*pivot_1)/pivot_2;
+    const double lower_32 = (inertia_12 - lower_21*lower_31*pivot_1)/divisor_2;
 
     /* lower_42: I = L D L^T, entry of L [1] */
     const double lower_42 = (inertia_13 - inertia_0*lower_20*lower_40 -
-        lower_21*lower_41*pivot_1)/pivot_2;
+        lower_21*lower_41*pivot_1)/divisor_2;
 
     /* lower_52: I = L D L^T, entry of L [1] */
-    const double lower_52 = (-(inertia_0*lower_20*lower_50 + lower_21*lower_51*pivot_1))/pivot_2;
+    const double lower_52 = (-(inertia_0*lower_20*lower_50 + lower_21*lower_51*pivot_1))/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const double pivot_3 = inertia_15 - pivot_1*lower_31*lower_31 - pivot_2*lower_32*lower_32;
 
+    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    double divisor_3;
+    if (pivot_3 > 0.0) {
+        divisor_3 = pivot_3;
+    } else {
+        divisor_3 = 1.0;
+    }
+
     /* lower_43: I = L D L^T, entry of L [1] */
-    const double lower_43 = (-(lower_31*lower_41*pivot_1 + lower_32*lower_42*pivot_2))/pivot_3;
+    const double lower_43 = (-(lower_31*lower_41*pivot_1 + lower_32*lower_42*pivot_2))/divisor_3;
 
     /* lower_53: I = L D L^T, entry of L [1] */
-    const double lower_53 = (-(lower_31*lower_51*pivot_1 + lower_32*lower_52*pivot_2))/pivot_3;
+    const double lower_53 = (-(lower_31*lower_51*pivot_1 + lower_32*lower_52*pivot_2))/divisor_3;
 
     /* pivot_4: pivot of I [kg m^2, kg m, kg] */
     const double pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
+    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    double divisor_4;
+    if (pivot_4 > 0.0) {
+        divisor_4 = pivot_4;
+    } else {
+        divisor_4 = 1.0;
+    }
+
     /* lower_54: I = L D L^T, entry of L [1] */
     const double lower_54 = (-(inertia_0*lower_40*lower_50 + lower_41*lower_51*pivot_1 +
-        lower_42*lower_52*pivot_2 + lower_43*lower_53*pivot_3))/pivot_4;
+        lower_42*lower_52*pivot_2 + lower_43*lower_53*pivot_3))/divisor_4;
 
     /* pivot_5: pivot of I [kg m^2, kg m, kg] */
     const double pivot_5 = inertia_20 - inertia_0*lower_50*lower_50 - pivot_1*lower_51*lower_51 -
@@ -646,9 +705,20 @@ void freeflyer_f64_reaching(const freeflyer_f64_params *params, const freeflyer_
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
+        power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
@@ -658,8 +728,16 @@ void freeflyer_f64_reaching(const freeflyer_f64_params *params, const freeflyer_
         scale = 1.0/norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const double w = power_3*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const double v_0 = power_0*scale;

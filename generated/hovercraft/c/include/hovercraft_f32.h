@@ -69,12 +69,12 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
         hovercraft_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   140 operations, 60 temporaries. */
+   138 operations, 65 temporaries. */
 void hovercraft_f32_tracking(const hovercraft_f32_params *params, const hovercraft_f32_state *state,
         const hovercraft_f32_reference *reference, hovercraft_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   86 operations, 38 temporaries. */
+   84 operations, 43 temporaries. */
 void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercraft_f32_state *state,
         hovercraft_f32_command *command);
 

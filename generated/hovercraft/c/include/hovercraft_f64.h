@@ -69,12 +69,12 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
         hovercraft_f64_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   140 operations, 60 temporaries. */
+   138 operations, 65 temporaries. */
 void hovercraft_f64_tracking(const hovercraft_f64_params *params, const hovercraft_f64_state *state,
         const hovercraft_f64_reference *reference, hovercraft_f64_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   86 operations, 38 temporaries. */
+   84 operations, 43 temporaries. */
 void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercraft_f64_state *state,
         hovercraft_f64_command *command);
 

@@ -114,8 +114,19 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
     const float twice_0 = g_e_0 + g_e_4;
     const float twice_1 = g_e_3 - g_e_1;
 
+    /* norm_square: their squared length [1] */
+    const float norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    float norm_bounded;
+    if (norm_square < 3.0F) {
+        norm_bounded = 3.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const float norm = sqrtf(1.0e-30F + twice_0*twice_0 + twice_1*twice_1);
+    const float norm = sqrtf(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     float column_0, column_1;
@@ -130,11 +141,30 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const float column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    float column_bounded;
+    if (column_square < 3.0F) {
+        column_bounded = 3.0F;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const float scale = 1.0F/sqrtf(1.0e-30F + column_0*column_0 + column_1*column_1);
+    const float scale = 1.0F/sqrtf(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const float w = column_0*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const float sine = column_1*scale;
@@ -251,8 +281,16 @@ static void hovercraft_f32_definiteness(const hovercraft_f32_params *params, flo
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
@@ -323,8 +361,19 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
     const float twice_0 = g_0 + g_4;
     const float twice_1 = g_3 - g_1;
 
+    /* norm_square: their squared length [1] */
+    const float norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    float norm_bounded;
+    if (norm_square < 3.0F) {
+        norm_bounded = 3.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const float norm = sqrtf(1.0e-30F + twice_0*twice_0 + twice_1*twice_1);
+    const float norm = sqrtf(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     float column_0, column_1;
@@ -339,11 +388,30 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const float column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    float column_bounded;
+    if (column_square < 3.0F) {
+        column_bounded = 3.0F;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const float scale = 1.0F/sqrtf(1.0e-30F + column_0*column_0 + column_1*column_1);
+    const float scale = 1.0F/sqrtf(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const float w = column_0*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const float sine = column_1*scale;

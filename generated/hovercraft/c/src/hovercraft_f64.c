@@ -138,8 +138,19 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
     const double twice_0 = g_e_0 + g_e_4;
     const double twice_1 = g_e_3 - g_e_1;
 
+    /* norm_square: their squared length [1] */
+    const double norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    double norm_bounded;
+    if (norm_square < 3.0) {
+        norm_bounded = 3.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const double norm = sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1);
+    const double norm = sqrt(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     double column_0, column_1;
@@ -154,11 +165,30 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const double column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    double column_bounded;
+    if (column_square < 3.0) {
+        column_bounded = 3.0;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const double scale = 1.0/sqrt(1.0e-290 + column_0*column_0 + column_1*column_1);
+    const double scale = 1.0/sqrt(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const double w = column_0*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const double sine = column_1*scale;
@@ -275,8 +305,16 @@ static void hovercraft_f64_definiteness(const hovercraft_f64_params *params, dou
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
@@ -347,8 +385,19 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
     const double twice_0 = g_0 + g_4;
     const double twice_1 = g_3 - g_1;
 
+    /* norm_square: their squared length [1] */
+    const double norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    double norm_bounded;
+    if (norm_square < 3.0) {
+        norm_bounded = 3.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const double norm = sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1);
+    const double norm = sqrt(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     double column_0, column_1;
@@ -363,11 +412,30 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const double column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    double column_bounded;
+    if (column_square < 3.0) {
+        column_bounded = 3.0;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const double scale = 1.0/sqrt(1.0e-290 + column_0*column_0 + column_1*column_1);
+    const double scale = 1.0/sqrt(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const double w = column_0*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const double sine = column_1*scale;

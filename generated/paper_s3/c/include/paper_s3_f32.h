@@ -69,12 +69,12 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
         paper_s3_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   247 operations, 65 temporaries. */
+   234 operations, 69 temporaries. */
 void paper_s3_f32_tracking(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
         const paper_s3_f32_reference *reference, paper_s3_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   131 operations, 39 temporaries. */
+   124 operations, 43 temporaries. */
 void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
         paper_s3_f32_command *command);
 

@@ -90,8 +90,19 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -107,26 +118,35 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = paper_s3_f32_k(fabsf(w));
 
+    /* sine_square: v.v [1] */
+    const float sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
+
+    /* sine_bounded: the same, away from -i and i [1] */
+    float sine_bounded;
+    if (sine_square < (5.0e-8F*5.0e-8F)) {
+        sine_bounded = 5.0e-8F*5.0e-8F;
+    } else {
+        sine_bounded = sine_square;
+    }
+
     /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const float sine = sqrtf(sine_bounded);
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/sine - k_near;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const float h = (1.0F - k*w)/sine_bounded;
 
     /* distance: distance from -i [1] */
     float distance;
     if (w < 0.0F) {
-        distance = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+        distance = sine;
     } else {
         distance = 1.0F;
     }
@@ -227,17 +247,33 @@ static void paper_s3_f32_definiteness(const paper_s3_f32_params *params, float p
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const float lower_10 = inertia_1/inertia_0;
+    const float lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
@@ -304,8 +340,19 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -321,21 +368,30 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = paper_s3_f32_k(fabsf(w));
 
+    /* sine_square: v.v [1] */
+    const float sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
+
+    /* sine_bounded: the same, away from -i and i [1] */
+    float sine_bounded;
+    if (sine_square < (5.0e-8F*5.0e-8F)) {
+        sine_bounded = 5.0e-8F*5.0e-8F;
+    } else {
+        sine_bounded = sine_square;
+    }
+
     /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const float sine = sqrtf(sine_bounded);
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/sine - k_near;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const float h = (1.0F - k*w)/sine_bounded;
 
     /* p: half of nu_u over v [1] */
     const float p = 0.5F*k;

@@ -102,8 +102,19 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     const double eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm: length of the quaternion [1] */
-    const double norm = sqrt(1.0e-290 + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 0.75) {
+        norm_bounded = 0.75;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
     const double scale = 1.0/norm;
@@ -119,26 +130,35 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = paper_s3_f64_k(fabs(w));
 
+    /* sine_square: v.v [1] */
+    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
+
+    /* sine_bounded: the same, away from -i and i [1] */
+    double sine_bounded;
+    if (sine_square < (5.0e-9*5.0e-9)) {
+        sine_bounded = 5.0e-9*5.0e-9;
+    } else {
+        sine_bounded = sine_square;
+    }
+
     /* sine: |v| [1] */
-    const double sine = sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const double sine = sqrt(sine_bounded);
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
-    } else if (sine > 1.0e-60) {
-        k = 3.141592653589793/(sine + 1.0e-290) - k_near;
     } else {
-        k = 0.0;
+        k = 3.141592653589793/sine - k_near;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const double h = (1.0 - k*w)/sine_bounded;
 
     /* distance: distance from -i [1] */
     double distance;
     if (w < 0.0) {
-        distance = sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2);
+        distance = sine;
     } else {
         distance = 1.0;
     }
@@ -239,17 +259,33 @@ static void paper_s3_f64_definiteness(const paper_s3_f64_params *params, double 
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const double lower_10 = inertia_1/inertia_0;
+    const double lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2] */
     const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    double divisor_1;
+    if (pivot_1 > 0.0) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const double lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+    const double lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2] */
     const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
@@ -316,8 +352,19 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm: length of the quaternion [1] */
-    const double norm = sqrt(1.0e-290 + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 0.75) {
+        norm_bounded = 0.75;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
     const double scale = 1.0/norm;
@@ -333,21 +380,30 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = paper_s3_f64_k(fabs(w));
 
+    /* sine_square: v.v [1] */
+    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
+
+    /* sine_bounded: the same, away from -i and i [1] */
+    double sine_bounded;
+    if (sine_square < (5.0e-9*5.0e-9)) {
+        sine_bounded = 5.0e-9*5.0e-9;
+    } else {
+        sine_bounded = sine_square;
+    }
+
     /* sine: |v| [1] */
-    const double sine = sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const double sine = sqrt(sine_bounded);
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
-    } else if (sine > 1.0e-60) {
-        k = 3.141592653589793/(sine + 1.0e-290) - k_near;
     } else {
-        k = 0.0;
+        k = 3.141592653589793/sine - k_near;
     }
 
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    const double h = (1.0 - k*w)/sine_bounded;
 
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;

@@ -129,9 +129,19 @@ static void paper_so3_f32_law(const paper_so3_f32_params *params, const paper_so
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
@@ -152,8 +162,11 @@ static void paper_so3_f32_law(const paper_so3_f32_params *params, const paper_so
     /* k: half angle over its sine [1] */
     const float k = paper_so3_f32_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const float sine_square = (1.0F + w)*(1.0F - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w));
+    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const float nu_u_0 = 2.0F*k*v_0;
@@ -259,17 +272,33 @@ static void paper_so3_f32_definiteness(const paper_so3_f32_params *params, float
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const float lower_10 = inertia_1/inertia_0;
+    const float lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
@@ -380,9 +409,19 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
@@ -403,8 +442,11 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
     /* k: half angle over its sine [1] */
     const float k = paper_so3_f32_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const float sine_square = (1.0F + w)*(1.0F - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w));
+    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const float nu_u_0 = 2.0F*k*v_0;

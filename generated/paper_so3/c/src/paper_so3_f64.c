@@ -141,9 +141,20 @@ static void paper_so3_f64_law(const paper_so3_f64_params *params, const paper_so
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
+        power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
@@ -164,8 +175,11 @@ static void paper_so3_f64_law(const paper_so3_f64_params *params, const paper_so
     /* k: half angle over its sine [1] */
     const double k = paper_so3_f64_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const double sine_square = (1.0 + w)*(1.0 - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w));
+    const double h = (1.0 - k*w)/(1.0e-17 + fabs(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const double nu_u_0 = 2.0*k*v_0;
@@ -271,17 +285,33 @@ static void paper_so3_f64_definiteness(const paper_so3_f64_params *params, doubl
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const double lower_10 = inertia_1/inertia_0;
+    const double lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2] */
     const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    double divisor_1;
+    if (pivot_1 > 0.0) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const double lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+    const double lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2] */
     const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
@@ -392,9 +422,20 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
+        power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
@@ -415,8 +456,11 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
     /* k: half angle over its sine [1] */
     const double k = paper_so3_f64_k(w);
 
+    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
+    const double sine_square = (1.0 + w)*(1.0 - w);
+
     /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w));
+    const double h = (1.0 - k*w)/(1.0e-17 + fabs(sine_square));
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
     const double nu_u_0 = 2.0*k*v_0;

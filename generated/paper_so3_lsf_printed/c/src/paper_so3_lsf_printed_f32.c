@@ -141,17 +141,33 @@ static void paper_so3_lsf_printed_f32_definiteness(const paper_so3_lsf_printed_f
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const float lower_10 = inertia_1/inertia_0;
+    const float lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;

@@ -69,12 +69,12 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         quadrotor_f64_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   226 operations, 63 temporaries. */
+   213 operations, 67 temporaries. */
 void quadrotor_f64_tracking(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
         const quadrotor_f64_reference *reference, quadrotor_f64_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   110 operations, 37 temporaries. */
+   103 operations, 41 temporaries. */
 void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
         quadrotor_f64_command *command);
 

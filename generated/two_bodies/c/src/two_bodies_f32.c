@@ -246,9 +246,20 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
-    /* norm_a: its length [1] */
-    const float norm_a = sqrtf(1.0e-30F + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    /* norm_square_a: squared length [1] */
+    const float norm_square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
+        power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    float norm_bounded_a;
+    if (norm_square_a < 49.0F) {
+        norm_bounded_a = 49.0F;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
+    /* norm_a: length [1] */
+    const float norm_a = sqrtf(norm_bounded_a);
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
@@ -258,8 +269,16 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         scale_a = 1.0F/norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const float cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const float w_a = power_a_3*scale_a;
+    float w_a;
+    if (cosine_a > 1.0F) {
+        w_a = 1.0F;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const float v_a_0 = power_a_0*scale_a;
@@ -346,9 +365,20 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
-    /* norm_b: its length [1] */
-    const float norm_b = sqrtf(1.0e-30F + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    /* norm_square_b: squared length [1] */
+    const float norm_square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
+        power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    float norm_bounded_b;
+    if (norm_square_b < 49.0F) {
+        norm_bounded_b = 49.0F;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
+    /* norm_b: length [1] */
+    const float norm_b = sqrtf(norm_bounded_b);
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
@@ -369,8 +399,11 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
+    /* sine_square_b: 1 - w^2, below zero by an ulp at most [1] */
+    const float sine_square_b = (1.0F + w_b)*(1.0F - w_b);
+
     /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F - w_b));
+    const float h_b = (1.0F - k_b*w_b)/(1.0e-8F + fabsf(sine_square_b));
 
     /* clearance_0: the smaller clearance [1] */
     float clearance_0;
@@ -607,20 +640,44 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const float lower_40 = inertia_4/inertia_0;
+    const float lower_40 = inertia_4/divisor_0;
+
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_1;
+    if (inertia_9 > 0.0F) {
+        divisor_1 = inertia_9;
+    } else {
+        divisor_1 = 1.0F;
+    }
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const float lower_31 = inertia_11/inertia_9;
+    const float lower_31 = inertia_11/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
+    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_2;
+    if (pivot_2 > 0.0F) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0F;
+    }
+
     /* lower_42: I = L D L^T, entry of L [1] */
-    const float lower_42 = -inertia_0*lower_20*lower_40/pivot_2;
+    const float lower_42 = -inertia_0*lower_20*lower_40/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_24 - inertia_9*lower_31*lower_31;
@@ -752,9 +809,20 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
-    /* norm_a: its length [1] */
-    const float norm_a = sqrtf(1.0e-30F + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    /* norm_square_a: squared length [1] */
+    const float norm_square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
+        power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    float norm_bounded_a;
+    if (norm_square_a < 49.0F) {
+        norm_bounded_a = 49.0F;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
+    /* norm_a: length [1] */
+    const float norm_a = sqrtf(norm_bounded_a);
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
@@ -764,8 +832,16 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
         scale_a = 1.0F/norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const float cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const float w_a = power_a_3*scale_a;
+    float w_a;
+    if (cosine_a > 1.0F) {
+        w_a = 1.0F;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const float v_a_0 = power_a_0*scale_a;
@@ -852,9 +928,20 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
-    /* norm_b: its length [1] */
-    const float norm_b = sqrtf(1.0e-30F + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    /* norm_square_b: squared length [1] */
+    const float norm_square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
+        power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    float norm_bounded_b;
+    if (norm_square_b < 49.0F) {
+        norm_bounded_b = 49.0F;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
+    /* norm_b: length [1] */
+    const float norm_b = sqrtf(norm_bounded_b);
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
@@ -875,8 +962,11 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
+    /* sine_square_b: 1 - w^2, below zero by an ulp at most [1] */
+    const float sine_square_b = (1.0F + w_b)*(1.0F - w_b);
+
     /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F - w_b));
+    const float h_b = (1.0F - k_b*w_b)/(1.0e-8F + fabsf(sine_square_b));
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
     const float nu_u_6 = 2.0F*k_b*v_b_0;

@@ -216,9 +216,19 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
@@ -228,8 +238,16 @@ static void underwater_f32_law(const underwater_f32_params *params,
         scale = 1.0F/norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const float w = power_3*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const float v_0 = power_0*scale;
@@ -450,70 +468,110 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
         inertia_18 = params->inertia[18], inertia_19 = params->inertia[19],
         inertia_20 = params->inertia[20];
 
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const float lower_10 = inertia_1/inertia_0;
+    const float lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* lower_30: I = L D L^T, entry of L [1] */
-    const float lower_30 = inertia_3/inertia_0;
+    const float lower_30 = inertia_3/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const float lower_40 = inertia_4/inertia_0;
+    const float lower_40 = inertia_4/divisor_0;
 
     /* lower_50: I = L D L^T, entry of L [1] */
-    const float lower_50 = inertia_5/inertia_0;
+    const float lower_50 = inertia_5/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const float pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const float lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/pivot_1;
+    const float lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const float lower_31 = (inertia_8 - inertia_0*lower_10*lower_30)/pivot_1;
+    const float lower_31 = (inertia_8 - inertia_0*lower_10*lower_30)/divisor_1;
 
     /* lower_41: I = L D L^T, entry of L [1] */
-    const float lower_41 = (inertia_9 - inertia_0*lower_10*lower_40)/pivot_1;
+    const float lower_41 = (inertia_9 - inertia_0*lower_10*lower_40)/divisor_1;
 
     /* lower_51: I = L D L^T, entry of L [1] */
-    const float lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/pivot_1;
+    const float lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
+    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_2;
+    if (pivot_2 > 0.0F) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0F;
+    }
+
     /* lower_32: I = L D L^T, entry of L [1] */
     const float lower_32 = (inertia_12 - inertia_0*lower_20*lower_30 -
-        lower_21*lower_31*pivot_1)/pivot_2;
+        lower_21*lower_31*pivot_1)/divisor_2;
 
     /* lower_42: I = L D L^T, entry of L [1] */
     const float lower_42 = (inertia_13 - inertia_0*lower_20*lower_40 -
-        lower_21*lower_41*pivot_1)/pivot_2;
+        lower_21*lower_41*pivot_1)/divisor_2;
 
     /* lower_52: I = L D L^T, entry of L [1] */
     const float lower_52 = (inertia_14 - inertia_0*lower_20*lower_50 -
-        lower_21*lower_51*pivot_1)/pivot_2;
+        lower_21*lower_51*pivot_1)/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32;
 
+    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_3;
+    if (pivot_3 > 0.0F) {
+        divisor_3 = pivot_3;
+    } else {
+        divisor_3 = 1.0F;
+    }
+
     /* lower_43: I = L D L^T, entry of L [1] */
     const float lower_43 = (inertia_16 - inertia_0*lower_30*lower_40 - lower_31*lower_41*pivot_1 -
-        lower_32*lower_42*pivot_2)/pivot_3;
+        lower_32*lower_42*pivot_2)/divisor_3;
 
     /* lower_53: I = L D L^T, entry of L [1] */
     const float lower_53 = (inertia_17 - inertia_0*lower_30*lower_50 - lower_31*lower_51*pivot_1 -
-        lower_32*lower_52*pivot_2)/pivot_3;
+        lower_32*lower_52*pivot_2)/divisor_3;
 
     /* pivot_4: pivot of I [kg m^2, kg m, kg] */
     const float pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
+    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    float divisor_4;
+    if (pivot_4 > 0.0F) {
+        divisor_4 = pivot_4;
+    } else {
+        divisor_4 = 1.0F;
+    }
+
     /* lower_54: I = L D L^T, entry of L [1] */
     const float lower_54 = (inertia_19 - inertia_0*lower_40*lower_50 - lower_41*lower_51*pivot_1 -
-        lower_42*lower_52*pivot_2 - lower_43*lower_53*pivot_3)/pivot_4;
+        lower_42*lower_52*pivot_2 - lower_43*lower_53*pivot_3)/divisor_4;
 
     /* pivot_5: pivot of I [kg m^2, kg m, kg] */
     const float pivot_5 = inertia_20 - inertia_0*lower_50*lower_50 - pivot_1*lower_51*lower_51 -
@@ -640,9 +698,19 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    /* norm_square: squared length [1] */
+    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
@@ -652,8 +720,16 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
         scale = 1.0F/norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const float w = power_3*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const float v_0 = power_0*scale;
