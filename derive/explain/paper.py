@@ -77,6 +77,7 @@ CONSTANTS = {
     "SMALL": "added to a divisor that vanishes at a pole",
     "FLOOR": "added to a squared sine, beside which it rounds away where it counts",
     "CUT": "least sine that an error beyond pi is divided by",
+    "LEAST": "below the squared length of any unit quaternion",
 }
 """Named constant -> what it is for."""
 

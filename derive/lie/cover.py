@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Matrix, Piecewise, pi, sqrt
 
-from derive.lie.kernel import CUT, FLOOR, H, K
+from derive.lie.kernel import CUT, FLOOR, LEAST, H, K
 
 Let = Callable[..., Any]
 """let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
@@ -21,9 +21,6 @@ Let = Callable[..., Any]
 
 NEAR_ROTATION = sympy.Integer(49)
 """Below the squared length of `power`, which is at least 64 for a rotation."""
-
-NEAR_UNIT = sympy.Rational(3, 4)
-"""Below the squared length of a unit quaternion."""
 
 MARKLEY = "polar factor of Markley and Bar-Itzhack"
 
@@ -130,7 +127,7 @@ def of_quaternion(let: Let, stored: Matrix) -> Scaled:
     property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
     """
     square = _square(let, stored[1:, :])
-    norm = _length(let, square + stored[0] ** 2, NEAR_UNIT)
+    norm = _length(let, square + stored[0] ** 2, LEAST)
     scale = let("scale", 1 / norm, "1", "to unit length")
     error = _scaled(let, stored[0], stored[1:, :], scale, _cosine)
     w = error.w

@@ -41,7 +41,10 @@ FLOOR = sympy.Symbol("FLOOR", positive=True)
 CUT = sympy.Symbol("CUT", positive=True)
 """Least sine that an error beyond pi is divided by: where a law is refused, it stays bounded."""
 
-CONSTANTS = (TINY, SMALL, FLOOR, CUT)
+LEAST = sympy.Symbol("LEAST", positive=True)
+"""Least square of a quaternion's length: below that of any unit quaternion."""
+
+CONSTANTS = (TINY, SMALL, FLOOR, CUT, LEAST)
 """All of them: zero in the maths, and a number in each scalar."""
 
 
