@@ -45,7 +45,7 @@ class Quaternion:
         clearance = self.clearance(let, error) if self.clearance else sympy.S.One
         share, p = _parted(self.factor(let, error))
         reach = let("reach", p * scale, "1", "p by the scale, but for a number")
-        ratio = let("ratio", 2 * share * reach, "1", "ratio of nu_u to the vector part")
+        ratio = let("stretch", 2 * share * reach, "1", "ratio of nu_u to the vector part")
         fall = let("fall", -sympy.diff(p, w) * scale**2, "1", "-dp/dw by the scale's square")
         along = let("along", _along(w, p), "1", "rate of the law along the axis")
 

@@ -406,17 +406,22 @@ def _law(
         eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 +
         eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0
     )
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_10 + g_e_5
+    pairs_3 = g_e_5 - g_e_10
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_10 - g_e_5
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_4
     B_2 = g_e_2 + g_e_8
     B_3 = g_e_9 - g_e_6
-    B_4 = 1.0 + g_e_5 - g_e_0 - g_e_10
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_6 + g_e_9
     B_6 = g_e_2 - g_e_8
-    B_7 = 1.0 + g_e_10 - g_e_0 - g_e_5
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_4 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_10 + g_e_5
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -438,16 +443,20 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # cosine: cos of half the error angle, rounded [1]
     cosine = power_3*scale
     # w: cos of half the error angle [1]
@@ -535,13 +544,13 @@ def _law(
     wanted_3 = eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3
     wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4
     wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
-    turning_3 = drive_3 - eta_3
-    turning_4 = drive_4 - eta_4
-    turning_5 = drive_5 - eta_5
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
+    turning_3 = s_3 - nu_3
+    turning_4 = s_4 - nu_4
+    turning_5 = s_5 - nu_5
     # momentum: I nu [N m s, N s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 + inertia_5*nu_5
     momentum_1 = inertia_1*nu_0 + inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2 + inertia_8*nu_3
@@ -608,17 +617,22 @@ def _reaching(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11]
     )
     nu_0, nu_1, nu_2, nu_3, nu_4, nu_5 = nu[0], nu[1], nu[2], nu[3], nu[4], nu[5]
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_0
+    pairs_1 = 1.0 - g_0
+    pairs_2 = g_10 + g_5
+    pairs_3 = g_5 - g_10
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 - g_10 - g_5
+    B_0 = pairs_0 - pairs_2
     B_1 = g_1 + g_4
     B_2 = g_2 + g_8
     B_3 = g_9 - g_6
-    B_4 = 1.0 + g_5 - g_0 - g_10
+    B_4 = pairs_1 + pairs_3
     B_5 = g_6 + g_9
     B_6 = g_2 - g_8
-    B_7 = 1.0 + g_10 - g_0 - g_5
+    B_7 = pairs_1 - pairs_3
     B_8 = g_4 - g_1
-    B_9 = 1.0 + g_0 + g_10 + g_5
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -640,16 +654,20 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # cosine: cos of half the error angle, rounded [1]
     cosine = power_3*scale
     # w: cos of half the error angle [1]
@@ -911,17 +929,14 @@ def _residual(
     # off: deviation from the group [1]
     off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8
     off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9
-    off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6
-    off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9
-    off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6
-    off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6
-    off_6 = (
-        g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4 - g_2*g_5*g_8
-    )
-    off_10 = g_15 - 1.0
+    off_2 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9
+    off_3 = g_2 + g_5*g_8 - g_4*g_9
+    off_4 = g_6 + g_0*g_9 - g_1*g_8
+    off_5 = g_10 + g_1*g_4 - g_0*g_5
+    off_9 = g_15 - 1.0
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6, g_12, g_13, g_14, off_10),
+        (off_0, off_1, off_2, off_3, off_4, off_5, g_12, g_13, g_14, off_9),
     )
 
 

@@ -393,10 +393,10 @@ def _law(
     wanted_0 = nu_r_dot_0 - nu_e_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - nu_r_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [N m s, N s]
     momentum_1 = inertia_3*nu_1
     momentum_2 = inertia_2*nu_0 + inertia_5*nu_2
@@ -548,13 +548,12 @@ def _residual(
     g_0, g_1, g_3, g_4, g_6, g_7, g_8 = g[0], g[1], g[3], g[4], g[6], g[7], g[8]
     # off: deviation from the group [1]
     off_0 = g_0*g_0 - 1.0 + g_3*g_3
-    off_1 = g_0*g_1 + g_3*g_4
-    off_2 = g_1*g_1 - 1.0 + g_4*g_4
-    off_3 = g_0*g_4 - 1.0 - g_1*g_3
-    off_6 = g_8 - 1.0
+    off_1 = g_1 + g_3
+    off_2 = g_4 - g_0
+    off_5 = g_8 - 1.0
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, g_6, g_7, off_6),
+        (off_0, off_1, off_2, g_6, g_7, off_5),
     )
 
 

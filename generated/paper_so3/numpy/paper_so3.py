@@ -297,17 +297,22 @@ def _law(
     eta_dot_0 = eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1
     eta_dot_1 = eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2
     eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_1*nu_e_0
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_4 + g_e_8
+    pairs_3 = g_e_4 - g_e_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_3
     B_2 = g_e_2 + g_e_6
     B_3 = g_e_7 - g_e_5
-    B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_5 + g_e_7
     B_6 = g_e_2 - g_e_6
-    B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_3 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -329,44 +334,46 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # sine_square: 1 - w^2, below zero by an ulp at most [1]
-    sine_square = (1.0 + w)*(1.0 - w)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/(square + 1.0e-17)
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_e_2*v_1 - nu_e_1*v_2
-    turn_1 = nu_e_0*v_2 - nu_e_2*v_0
-    turn_2 = nu_e_1*v_0 - nu_e_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = power_0*stretch
+    nu_u_1 = power_1*stretch
+    nu_u_2 = power_2*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = nu_e_2*power_1 - nu_e_1*power_2
+    turn_1 = nu_e_0*power_2 - nu_e_2*power_0
+    turn_2 = nu_e_1*power_0 - nu_e_0*power_1
+    # bend: vector part x that [rad/s]
+    bend_0 = power_1*turn_2 - power_2*turn_1
+    bend_1 = power_2*turn_0 - power_0*turn_2
+    bend_2 = power_0*turn_1 - power_1*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -379,10 +386,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [N m s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2
     momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2
@@ -424,17 +431,22 @@ def _reaching(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8]
     )
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_0
+    pairs_1 = 1.0 - g_0
+    pairs_2 = g_4 + g_8
+    pairs_3 = g_4 - g_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 - g_4 - g_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_1 + g_3
     B_2 = g_2 + g_6
     B_3 = g_7 - g_5
-    B_4 = 1.0 + g_4 - g_0 - g_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_5 + g_7
     B_6 = g_2 - g_6
-    B_7 = 1.0 + g_8 - g_0 - g_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_3 - g_1
-    B_9 = 1.0 + g_0 + g_4 + g_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -456,44 +468,46 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # sine_square: 1 - w^2, below zero by an ulp at most [1]
-    sine_square = (1.0 + w)*(1.0 - w)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/(square + 1.0e-17)
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_2*v_1 - nu_1*v_2
-    turn_1 = nu_0*v_2 - nu_2*v_0
-    turn_2 = nu_1*v_0 - nu_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = power_0*stretch
+    nu_u_1 = power_1*stretch
+    nu_u_2 = power_2*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = nu_2*power_1 - nu_1*power_2
+    turn_1 = nu_0*power_2 - nu_2*power_0
+    turn_2 = nu_1*power_0 - nu_0*power_1
+    # bend: vector part x that [rad/s]
+    bend_0 = power_1*turn_2 - power_2*turn_1
+    bend_1 = power_2*turn_0 - power_0*turn_2
+    bend_2 = power_0*turn_1 - power_1*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -587,14 +601,13 @@ def _residual(
     # off: deviation from the group [1]
     off_0 = g_0*g_0 - 1.0 + g_3*g_3 + g_6*g_6
     off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7
-    off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8
-    off_3 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
-    off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8
-    off_5 = g_2*g_2 - 1.0 + g_5*g_5 + g_8*g_8
-    off_6 = g_0*g_4*g_8 - 1.0 + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 - g_2*g_4*g_6
+    off_2 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
+    off_3 = g_2 + g_4*g_6 - g_3*g_7
+    off_4 = g_5 + g_0*g_7 - g_1*g_6
+    off_5 = g_8 + g_1*g_3 - g_0*g_4
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6),
+        (off_0, off_1, off_2, off_3, off_4, off_5),
     )
 
 

@@ -335,14 +335,13 @@ def _residual(
     # off: deviation from the group [1]
     off_0 = g_0*g_0 - 1.0 + g_3*g_3 + g_6*g_6
     off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7
-    off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8
-    off_3 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
-    off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8
-    off_5 = g_2*g_2 - 1.0 + g_5*g_5 + g_8*g_8
-    off_6 = g_0*g_4*g_8 - 1.0 + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 - g_2*g_4*g_6
+    off_2 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
+    off_3 = g_2 + g_4*g_6 - g_3*g_7
+    off_4 = g_5 + g_0*g_7 - g_1*g_6
+    off_5 = g_8 + g_1*g_3 - g_0*g_4
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6),
+        (off_0, off_1, off_2, off_3, off_4, off_5),
     )
 
 

@@ -247,17 +247,22 @@ def _law(
     given_0 = g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2
     given_1 = g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2
     given_2 = g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_4 + g_e_8
+    pairs_3 = g_e_4 - g_e_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_3
     B_2 = g_e_2 + g_e_6
     B_3 = g_e_7 - g_e_5
-    B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_5 + g_e_7
     B_6 = g_e_2 - g_e_6
-    B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_3 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -279,28 +284,32 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
+    # nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3)
+    nu_u_0 = power_0*scale
+    nu_u_1 = power_1*scale
+    nu_u_2 = power_2*scale
     # ratio: k_R/k_Omega [1/s]
     ratio = k_R/k_Omega
     # s: sliding variable [rad/s], eq. (s3)
-    s_0 = nu_e_0 + ratio*v_0
-    s_1 = nu_e_1 + ratio*v_1
-    s_2 = nu_e_2 + ratio*v_2
+    s_0 = nu_e_0 + nu_u_0*ratio
+    s_1 = nu_e_1 + nu_u_1*ratio
+    s_2 = nu_e_2 + nu_u_2*ratio
     # momentum: I eta [N m s]
     momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2
     momentum_1 = eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4
@@ -322,7 +331,7 @@ def _law(
     return (
         (force_0, force_1, force_2),
         (s_0, s_1, s_2),
-        (v_0, v_1, v_2),
+        (nu_u_0, nu_u_1, nu_u_2),
         (w,),
     )
 
@@ -382,14 +391,13 @@ def _residual(
     # off: deviation from the group [1]
     off_0 = g_0*g_0 - 1.0 + g_3*g_3 + g_6*g_6
     off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7
-    off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8
-    off_3 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
-    off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8
-    off_5 = g_2*g_2 - 1.0 + g_5*g_5 + g_8*g_8
-    off_6 = g_0*g_4*g_8 - 1.0 + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 - g_2*g_4*g_6
+    off_2 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
+    off_3 = g_2 + g_4*g_6 - g_3*g_7
+    off_4 = g_5 + g_0*g_7 - g_1*g_6
+    off_5 = g_8 + g_1*g_3 - g_0*g_4
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6),
+        (off_0, off_1, off_2, off_3, off_4, off_5),
     )
 
 

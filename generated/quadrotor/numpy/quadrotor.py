@@ -276,16 +276,20 @@ def _law(
     g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2
     g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3
     g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1
+    # double: twice the vector part [1]
+    double_0 = 2.0*g_e_1
+    double_1 = 2.0*g_e_2
+    double_2 = 2.0*g_e_3
     # to_body: Ad of g_e^-1: reference to body frame [1]
-    to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3
-    to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)
-    to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)
-    to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)
-    to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3
-    to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)
-    to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)
-    to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)
-    to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2
+    to_body_0 = 1.0 - double_1*g_e_2 - double_2*g_e_3
+    to_body_1 = double_0*g_e_2 + double_2*g_e_0
+    to_body_2 = double_0*g_e_3 - double_1*g_e_0
+    to_body_3 = double_0*g_e_2 - double_2*g_e_0
+    to_body_4 = 1.0 - double_0*g_e_1 - double_2*g_e_3
+    to_body_5 = double_0*g_e_0 + double_1*g_e_3
+    to_body_6 = double_0*g_e_3 + double_1*g_e_0
+    to_body_7 = double_1*g_e_3 - double_0*g_e_0
+    to_body_8 = 1.0 - double_0*g_e_1 - double_1*g_e_2
     # eta: reference velocity in the body frame [rad/s], eq. (velErr)
     eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2
     eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5
@@ -307,54 +311,55 @@ def _law(
         eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
         eta_1*nu_e_0
     )
-    # norm_square: squared length [1]
-    norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # square: square of its vector part [1]
+    square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # norm_square: its squared length [1]
+    norm_square = square + g_e_0*g_e_0
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 0.75
-    norm_bounded = np.where(norm_bounded_if_0, 0.75, norm_square)
-    # norm: length [1]
+    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
     w = g_e_0*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = g_e_1*scale
-    v_1 = g_e_2*scale
-    v_2 = g_e_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
-    # sine_square: v.v [1]
-    sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
-    # sine_bounded: the same, away from -i and i [1]
-    sine_bounded_if_0 = sine_square.real < (5.0e-9*5.0e-9).real
-    sine_bounded = np.where(sine_bounded_if_0, 5.0e-9*5.0e-9, sine_square)
-    # sine: |v| [1]
-    sine = np.sqrt(sine_bounded)
+    # divisor: the same, never zero [1]
+    divisor_if_0 = w.real >= 0.0
+    divisor_if_1 = square.real > (1.0e-60*1.0e-60).real
+    divisor = (
+        np.where(divisor_if_0, square + 1.0e-17, np.where(divisor_if_1, square, 1.0e-60*1.0e-60))
+    )
+    # distance: distance from -i: |v| beyond pi, and 1 before [1]
+    distance_if_0 = w.real >= 0.0
+    distance = np.where(distance_if_0, 1.0, scale*np.sqrt(divisor))
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k = np.where(k_if_0, k_near, 3.141592653589793/sine - k_near)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/sine_bounded
-    # distance: distance from -i [1]
-    distance_if_0 = w.real < 0.0
-    distance = np.where(distance_if_0, sine, 1.0)
+    k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/divisor
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_e_2*v_1 - nu_e_1*v_2
-    turn_1 = nu_e_0*v_2 - nu_e_2*v_0
-    turn_2 = nu_e_1*v_0 - nu_e_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = g_e_1*stretch
+    nu_u_1 = g_e_2*stretch
+    nu_u_2 = g_e_3*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1
+    turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2
+    turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0
+    # bend: vector part x that [rad/s]
+    bend_0 = g_e_2*turn_2 - g_e_3*turn_1
+    bend_1 = g_e_3*turn_0 - g_e_1*turn_2
+    bend_2 = g_e_1*turn_1 - g_e_2*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -367,10 +372,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [N m s]
     momentum_0 = inertia_0*nu_0 + inertia_2*nu_2
     momentum_1 = inertia_3*nu_1
@@ -399,51 +404,55 @@ def _reaching(
     reach_gain = k_s[0]
     g_0, g_1, g_2, g_3 = g[0], g[1], g[2], g[3]
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
-    # norm_square: squared length [1]
-    norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3
+    # square: square of its vector part [1]
+    square = g_1*g_1 + g_2*g_2 + g_3*g_3
+    # norm_square: its squared length [1]
+    norm_square = square + g_0*g_0
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 0.75
-    norm_bounded = np.where(norm_bounded_if_0, 0.75, norm_square)
-    # norm: length [1]
+    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
     w = g_0*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = g_1*scale
-    v_1 = g_2*scale
-    v_2 = g_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
-    # sine_square: v.v [1]
-    sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
-    # sine_bounded: the same, away from -i and i [1]
-    sine_bounded_if_0 = sine_square.real < (5.0e-9*5.0e-9).real
-    sine_bounded = np.where(sine_bounded_if_0, 5.0e-9*5.0e-9, sine_square)
-    # sine: |v| [1]
-    sine = np.sqrt(sine_bounded)
+    # divisor: the same, never zero [1]
+    divisor_if_0 = w.real >= 0.0
+    divisor_if_1 = square.real > (1.0e-60*1.0e-60).real
+    divisor = (
+        np.where(divisor_if_0, square + 1.0e-17, np.where(divisor_if_1, square, 1.0e-60*1.0e-60))
+    )
+    # distance: distance from -i: |v| beyond pi, and 1 before [1]
+    distance_if_0 = w.real >= 0.0
+    distance = np.where(distance_if_0, 1.0, scale*np.sqrt(divisor))
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k = np.where(k_if_0, k_near, 3.141592653589793/sine - k_near)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/sine_bounded
+    k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/divisor
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_2*v_1 - nu_1*v_2
-    turn_1 = nu_0*v_2 - nu_2*v_0
-    turn_2 = nu_1*v_0 - nu_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = g_1*stretch
+    nu_u_1 = g_2*stretch
+    nu_u_2 = g_3*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = g_2*nu_2 - g_3*nu_1
+    turn_1 = g_3*nu_0 - g_1*nu_2
+    turn_2 = g_1*nu_1 - g_2*nu_0
+    # bend: vector part x that [rad/s]
+    bend_0 = g_2*turn_2 - g_3*turn_1
+    bend_1 = g_3*turn_0 - g_1*turn_2
+    bend_2 = g_1*turn_1 - g_2*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain

@@ -446,17 +446,22 @@ def _law(
     eta_dot_8 = (
         eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 - eta_7*nu_e_6
     )
+    # pairs_a: what B's diagonal is made of [1]
+    pairs_a_0 = 1.0 + g_e_0
+    pairs_a_1 = 1.0 - g_e_0
+    pairs_a_2 = g_e_10 + g_e_5
+    pairs_a_3 = g_e_5 - g_e_10
     # B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_a_0 = 1.0 + g_e_0 - g_e_10 - g_e_5
+    B_a_0 = pairs_a_0 - pairs_a_2
     B_a_1 = g_e_1 + g_e_4
     B_a_2 = g_e_2 + g_e_8
     B_a_3 = g_e_9 - g_e_6
-    B_a_4 = 1.0 + g_e_5 - g_e_0 - g_e_10
+    B_a_4 = pairs_a_1 + pairs_a_3
     B_a_5 = g_e_6 + g_e_9
     B_a_6 = g_e_2 - g_e_8
-    B_a_7 = 1.0 + g_e_10 - g_e_0 - g_e_5
+    B_a_7 = pairs_a_1 - pairs_a_3
     B_a_8 = g_e_4 - g_e_1
-    B_a_9 = 1.0 + g_e_0 + g_e_10 + g_e_5
+    B_a_9 = pairs_a_0 + pairs_a_2
     # column_a: a column of B that cannot vanish [1]
     column_a_if_0 = B_a_9.real >= 1.0
     column_a_if_1 = (B_a_0.real >= B_a_4.real) & (B_a_0.real >= B_a_7.real)
@@ -482,18 +487,20 @@ def _law(
     power_a_1 = B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3
     power_a_2 = B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3
     power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3
-    # norm_square_a: squared length [1]
-    norm_square_a = (
-        power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 + power_a_3*power_a_3
-    )
+    # square_a: square of its vector part [1]
+    square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2
+    # norm_square_a: its squared length [1]
+    norm_square_a = square_a + power_a_3*power_a_3
     # norm_bounded_a: the same: less is no element [1]
     norm_bounded_a_if_0 = norm_square_a.real < 49.0
     norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
-    # norm_a: length [1]
+    # norm_a: its length [1]
     norm_a = np.sqrt(norm_bounded_a)
+    # inverse_norm_a: to unit length [1]
+    inverse_norm_a = 1.0/norm_a
     # scale_a: to unit length, and to w >= 0: the shorter way round [1]
     scale_a_if_0 = power_a_3.real < 0.0
-    scale_a = np.where(scale_a_if_0, -1.0/norm_a, 1.0/norm_a)
+    scale_a = np.where(scale_a_if_0, -inverse_norm_a, inverse_norm_a)
     # cosine_a: cos of half the error angle, rounded [1]
     cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
@@ -529,17 +536,22 @@ def _law(
     y_p_a_0 = half_a*rho_p_a_0
     y_p_a_1 = half_a*rho_p_a_1
     y_p_a_2 = half_a*rho_p_a_2
+    # pairs_b: what B's diagonal is made of [1]
+    pairs_b_0 = 1.0 + g_e_16
+    pairs_b_1 = 1.0 - g_e_16
+    pairs_b_2 = g_e_20 + g_e_24
+    pairs_b_3 = g_e_20 - g_e_24
     # B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_b_0 = 1.0 + g_e_16 - g_e_20 - g_e_24
+    B_b_0 = pairs_b_0 - pairs_b_2
     B_b_1 = g_e_17 + g_e_19
     B_b_2 = g_e_18 + g_e_22
     B_b_3 = g_e_23 - g_e_21
-    B_b_4 = 1.0 + g_e_20 - g_e_16 - g_e_24
+    B_b_4 = pairs_b_1 + pairs_b_3
     B_b_5 = g_e_21 + g_e_23
     B_b_6 = g_e_18 - g_e_22
-    B_b_7 = 1.0 + g_e_24 - g_e_16 - g_e_20
+    B_b_7 = pairs_b_1 - pairs_b_3
     B_b_8 = g_e_19 - g_e_17
-    B_b_9 = 1.0 + g_e_16 + g_e_20 + g_e_24
+    B_b_9 = pairs_b_0 + pairs_b_2
     # column_b: a column of B that cannot vanish [1]
     column_b_if_0 = B_b_9.real >= 1.0
     column_b_if_1 = (B_b_0.real >= B_b_4.real) & (B_b_0.real >= B_b_7.real)
@@ -565,40 +577,37 @@ def _law(
     power_b_1 = B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3
     power_b_2 = B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3
     power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3
-    # norm_square_b: squared length [1]
-    norm_square_b = (
-        power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3
-    )
+    # square_b: square of its vector part [1]
+    square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2
+    # norm_square_b: its squared length [1]
+    norm_square_b = square_b + power_b_3*power_b_3
     # norm_bounded_b: the same: less is no element [1]
     norm_bounded_b_if_0 = norm_square_b.real < 49.0
     norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
-    # norm_b: length [1]
+    # norm_b: its length [1]
     norm_b = np.sqrt(norm_bounded_b)
+    # inverse_norm_b: to unit length [1]
+    inverse_norm_b = 1.0/norm_b
     # scale_b: to unit length, and to w >= 0: the shorter way round [1]
     scale_b_if_0 = power_b_3.real < 0.0
-    scale_b = np.where(scale_b_if_0, -1.0/norm_b, 1.0/norm_b)
+    scale_b = np.where(scale_b_if_0, -inverse_norm_b, inverse_norm_b)
     # w_b: cos of half the error angle [1]
     w_b = power_b_3*scale_b
-    # v_b: sin of half the error angle times its axis [1]
-    v_b_0 = power_b_0*scale_b
-    v_b_1 = power_b_1*scale_b
-    v_b_2 = power_b_2*scale_b
     # k_b: half angle over its sine [1]
     k_b = _k(w_b)
-    # sine_square_b: 1 - w^2, below zero by an ulp at most [1]
-    sine_square_b = (1.0 + w_b)*(1.0 - w_b)
-    # h_b: -dk/dw, as (1 - w k)/s^2 [1]
-    h_b = (
-        (1.0 - k_b*w_b)/(1.0e-17 + np.where(sine_square_b.real < 0.0, -sine_square_b,
-        sine_square_b))
-    )
+    # h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17)
+    # reach_b: p by the scale, but for a number [1]
+    reach_b = k_b*scale_b
+    # stretch_b: ratio of nu_u to the vector part [1]
+    stretch_b = 2.0*reach_b
     # clearance_0: the smaller clearance [1]
     clearance_0_if_0 = w_a.real <= w_b.real
     clearance_0 = np.where(clearance_0_if_0, w_a, w_b)
     # nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw)
-    nu_u_6 = 2.0*k_b*v_b_0
-    nu_u_7 = 2.0*k_b*v_b_1
-    nu_u_8 = 2.0*k_b*v_b_2
+    nu_u_6 = power_b_0*stretch_b
+    nu_u_7 = power_b_1*stretch_b
+    nu_u_8 = power_b_2*stretch_b
     # turn_a: Y nu_e, Y = ad of y [rad/s, m/s]
     turn_a_0 = nu_e_2*v_a_1 - nu_e_1*v_a_2
     turn_a_1 = nu_e_0*v_a_2 - nu_e_2*v_a_0
@@ -623,14 +632,14 @@ def _law(
     tail_a_5 = along_p_a*bend_a_2
     # twofold_a: h^2 - k m/2, of the double root [1]
     twofold_a = h_a*h_a - 0.5*k_a*m_a
-    # turn_b: v x nu_e [rad/s]
-    turn_b_0 = nu_e_8*v_b_1 - nu_e_7*v_b_2
-    turn_b_1 = nu_e_6*v_b_2 - nu_e_8*v_b_0
-    turn_b_2 = nu_e_7*v_b_0 - nu_e_6*v_b_1
-    # bend_b: v x (v x nu_e) [rad/s]
-    bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2
-    bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0
-    bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1
+    # turn_b: vector part x nu_e, its share [rad/s]
+    turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2
+    turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0
+    turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1
+    # bend_b: vector part x that [rad/s]
+    bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1
+    bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2
+    bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0
     # nu_u_dot: exact rate of nu_u [rad/s, m/s]
     nu_u_dot_0 = nu_e_0 + bend_a_0*h_a + k_a*turn_a_0
     nu_u_dot_1 = nu_e_1 + bend_a_1*h_a + k_a*turn_a_1
@@ -638,9 +647,9 @@ def _law(
     nu_u_dot_3 = nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a
     nu_u_dot_4 = nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a
     nu_u_dot_5 = nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a
-    nu_u_dot_6 = nu_e_6 + bend_b_0*h_b + k_b*turn_b_0
-    nu_u_dot_7 = nu_e_7 + bend_b_1*h_b + k_b*turn_b_1
-    nu_u_dot_8 = nu_e_8 + bend_b_2*h_b + k_b*turn_b_2
+    nu_u_dot_6 = nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0
+    nu_u_dot_7 = nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1
+    nu_u_dot_8 = nu_e_8 + bend_b_2*h_raw_b + reach_b*turn_b_2
     # drive: lambda nu_u [rad/s, m/s]
     drive_0 = phi_a_0*rate_gain
     drive_1 = phi_a_1*rate_gain
@@ -671,16 +680,16 @@ def _law(
     wanted_6 = eta_dot_6 - nu_u_dot_6*rate_gain - reach_gain*s_6
     wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7
     wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
-    turning_3 = drive_3 - eta_3
-    turning_4 = drive_4 - eta_4
-    turning_5 = drive_5 - eta_5
-    turning_6 = drive_6 - eta_6
-    turning_7 = drive_7 - eta_7
-    turning_8 = drive_8 - eta_8
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
+    turning_3 = s_3 - nu_3
+    turning_4 = s_4 - nu_4
+    turning_5 = s_5 - nu_5
+    turning_6 = s_6 - nu_6
+    turning_7 = s_7 - nu_7
+    turning_8 = s_8 - nu_8
     # momentum: I nu [N m s, N s]
     momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4
     momentum_1 = inertia_11*nu_3 + inertia_9*nu_1
@@ -747,17 +756,22 @@ def _reaching(
     nu_0, nu_1, nu_2, nu_3, nu_4, nu_5, nu_6, nu_7, nu_8 = (
         nu[0], nu[1], nu[2], nu[3], nu[4], nu[5], nu[6], nu[7], nu[8]
     )
+    # pairs_a: what B's diagonal is made of [1]
+    pairs_a_0 = 1.0 + g_0
+    pairs_a_1 = 1.0 - g_0
+    pairs_a_2 = g_10 + g_5
+    pairs_a_3 = g_5 - g_10
     # B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_a_0 = 1.0 + g_0 - g_10 - g_5
+    B_a_0 = pairs_a_0 - pairs_a_2
     B_a_1 = g_1 + g_4
     B_a_2 = g_2 + g_8
     B_a_3 = g_9 - g_6
-    B_a_4 = 1.0 + g_5 - g_0 - g_10
+    B_a_4 = pairs_a_1 + pairs_a_3
     B_a_5 = g_6 + g_9
     B_a_6 = g_2 - g_8
-    B_a_7 = 1.0 + g_10 - g_0 - g_5
+    B_a_7 = pairs_a_1 - pairs_a_3
     B_a_8 = g_4 - g_1
-    B_a_9 = 1.0 + g_0 + g_10 + g_5
+    B_a_9 = pairs_a_0 + pairs_a_2
     # column_a: a column of B that cannot vanish [1]
     column_a_if_0 = B_a_9.real >= 1.0
     column_a_if_1 = (B_a_0.real >= B_a_4.real) & (B_a_0.real >= B_a_7.real)
@@ -783,18 +797,20 @@ def _reaching(
     power_a_1 = B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3
     power_a_2 = B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3
     power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3
-    # norm_square_a: squared length [1]
-    norm_square_a = (
-        power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 + power_a_3*power_a_3
-    )
+    # square_a: square of its vector part [1]
+    square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2
+    # norm_square_a: its squared length [1]
+    norm_square_a = square_a + power_a_3*power_a_3
     # norm_bounded_a: the same: less is no element [1]
     norm_bounded_a_if_0 = norm_square_a.real < 49.0
     norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
-    # norm_a: length [1]
+    # norm_a: its length [1]
     norm_a = np.sqrt(norm_bounded_a)
+    # inverse_norm_a: to unit length [1]
+    inverse_norm_a = 1.0/norm_a
     # scale_a: to unit length, and to w >= 0: the shorter way round [1]
     scale_a_if_0 = power_a_3.real < 0.0
-    scale_a = np.where(scale_a_if_0, -1.0/norm_a, 1.0/norm_a)
+    scale_a = np.where(scale_a_if_0, -inverse_norm_a, inverse_norm_a)
     # cosine_a: cos of half the error angle, rounded [1]
     cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
@@ -830,17 +846,22 @@ def _reaching(
     y_p_a_0 = half_a*rho_p_a_0
     y_p_a_1 = half_a*rho_p_a_1
     y_p_a_2 = half_a*rho_p_a_2
+    # pairs_b: what B's diagonal is made of [1]
+    pairs_b_0 = 1.0 + g_16
+    pairs_b_1 = 1.0 - g_16
+    pairs_b_2 = g_20 + g_24
+    pairs_b_3 = g_20 - g_24
     # B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_b_0 = 1.0 + g_16 - g_20 - g_24
+    B_b_0 = pairs_b_0 - pairs_b_2
     B_b_1 = g_17 + g_19
     B_b_2 = g_18 + g_22
     B_b_3 = g_23 - g_21
-    B_b_4 = 1.0 + g_20 - g_16 - g_24
+    B_b_4 = pairs_b_1 + pairs_b_3
     B_b_5 = g_21 + g_23
     B_b_6 = g_18 - g_22
-    B_b_7 = 1.0 + g_24 - g_16 - g_20
+    B_b_7 = pairs_b_1 - pairs_b_3
     B_b_8 = g_19 - g_17
-    B_b_9 = 1.0 + g_16 + g_20 + g_24
+    B_b_9 = pairs_b_0 + pairs_b_2
     # column_b: a column of B that cannot vanish [1]
     column_b_if_0 = B_b_9.real >= 1.0
     column_b_if_1 = (B_b_0.real >= B_b_4.real) & (B_b_0.real >= B_b_7.real)
@@ -866,37 +887,34 @@ def _reaching(
     power_b_1 = B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3
     power_b_2 = B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3
     power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3
-    # norm_square_b: squared length [1]
-    norm_square_b = (
-        power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3
-    )
+    # square_b: square of its vector part [1]
+    square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2
+    # norm_square_b: its squared length [1]
+    norm_square_b = square_b + power_b_3*power_b_3
     # norm_bounded_b: the same: less is no element [1]
     norm_bounded_b_if_0 = norm_square_b.real < 49.0
     norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
-    # norm_b: length [1]
+    # norm_b: its length [1]
     norm_b = np.sqrt(norm_bounded_b)
+    # inverse_norm_b: to unit length [1]
+    inverse_norm_b = 1.0/norm_b
     # scale_b: to unit length, and to w >= 0: the shorter way round [1]
     scale_b_if_0 = power_b_3.real < 0.0
-    scale_b = np.where(scale_b_if_0, -1.0/norm_b, 1.0/norm_b)
+    scale_b = np.where(scale_b_if_0, -inverse_norm_b, inverse_norm_b)
     # w_b: cos of half the error angle [1]
     w_b = power_b_3*scale_b
-    # v_b: sin of half the error angle times its axis [1]
-    v_b_0 = power_b_0*scale_b
-    v_b_1 = power_b_1*scale_b
-    v_b_2 = power_b_2*scale_b
     # k_b: half angle over its sine [1]
     k_b = _k(w_b)
-    # sine_square_b: 1 - w^2, below zero by an ulp at most [1]
-    sine_square_b = (1.0 + w_b)*(1.0 - w_b)
-    # h_b: -dk/dw, as (1 - w k)/s^2 [1]
-    h_b = (
-        (1.0 - k_b*w_b)/(1.0e-17 + np.where(sine_square_b.real < 0.0, -sine_square_b,
-        sine_square_b))
-    )
+    # h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17)
+    # reach_b: p by the scale, but for a number [1]
+    reach_b = k_b*scale_b
+    # stretch_b: ratio of nu_u to the vector part [1]
+    stretch_b = 2.0*reach_b
     # nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw)
-    nu_u_6 = 2.0*k_b*v_b_0
-    nu_u_7 = 2.0*k_b*v_b_1
-    nu_u_8 = 2.0*k_b*v_b_2
+    nu_u_6 = power_b_0*stretch_b
+    nu_u_7 = power_b_1*stretch_b
+    nu_u_8 = power_b_2*stretch_b
     # turn_a: Y nu_e, Y = ad of y [rad/s, m/s]
     turn_a_0 = nu_2*v_a_1 - nu_1*v_a_2
     turn_a_1 = nu_0*v_a_2 - nu_2*v_a_0
@@ -921,14 +939,14 @@ def _reaching(
     tail_a_5 = along_p_a*bend_a_2
     # twofold_a: h^2 - k m/2, of the double root [1]
     twofold_a = h_a*h_a - 0.5*k_a*m_a
-    # turn_b: v x nu_e [rad/s]
-    turn_b_0 = nu_8*v_b_1 - nu_7*v_b_2
-    turn_b_1 = nu_6*v_b_2 - nu_8*v_b_0
-    turn_b_2 = nu_7*v_b_0 - nu_6*v_b_1
-    # bend_b: v x (v x nu_e) [rad/s]
-    bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2
-    bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0
-    bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1
+    # turn_b: vector part x nu_e, its share [rad/s]
+    turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2
+    turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0
+    turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1
+    # bend_b: vector part x that [rad/s]
+    bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1
+    bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2
+    bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0
     # nu_u_dot: exact rate of nu_u [rad/s, m/s]
     nu_u_dot_0 = nu_0 + bend_a_0*h_a + k_a*turn_a_0
     nu_u_dot_1 = nu_1 + bend_a_1*h_a + k_a*turn_a_1
@@ -936,9 +954,9 @@ def _reaching(
     nu_u_dot_3 = nu_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a
     nu_u_dot_4 = nu_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a
     nu_u_dot_5 = nu_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a
-    nu_u_dot_6 = nu_6 + bend_b_0*h_b + k_b*turn_b_0
-    nu_u_dot_7 = nu_7 + bend_b_1*h_b + k_b*turn_b_1
-    nu_u_dot_8 = nu_8 + bend_b_2*h_b + k_b*turn_b_2
+    nu_u_dot_6 = nu_6 + bend_b_0*h_raw_b + reach_b*turn_b_0
+    nu_u_dot_7 = nu_7 + bend_b_1*h_raw_b + reach_b*turn_b_1
+    nu_u_dot_8 = nu_8 + bend_b_2*h_raw_b + reach_b*turn_b_2
     # drive: lambda nu_u [rad/s, m/s]
     drive_0 = phi_a_0*rate_gain
     drive_1 = phi_a_1*rate_gain
@@ -1105,28 +1123,21 @@ def _residual(
     # off: deviation from the group [1]
     off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8
     off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9
-    off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6
-    off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9
-    off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6
-    off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6
-    off_6 = (
-        g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4 - g_2*g_5*g_8
-    )
-    off_10 = g_15 - 1.0
-    off_11 = g_16*g_16 - 1.0 + g_19*g_19 + g_22*g_22
-    off_12 = g_16*g_17 + g_19*g_20 + g_22*g_23
-    off_13 = g_16*g_18 + g_19*g_21 + g_22*g_24
-    off_14 = g_17*g_17 - 1.0 + g_20*g_20 + g_23*g_23
-    off_15 = g_17*g_18 + g_20*g_21 + g_23*g_24
-    off_16 = g_18*g_18 - 1.0 + g_21*g_21 + g_24*g_24
-    off_17 = (
-        g_16*g_20*g_24 - 1.0 + g_17*g_21*g_22 + g_18*g_19*g_23 - g_16*g_21*g_23 - g_17*g_19*g_24 -
-        g_18*g_20*g_22
-    )
+    off_2 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9
+    off_3 = g_2 + g_5*g_8 - g_4*g_9
+    off_4 = g_6 + g_0*g_9 - g_1*g_8
+    off_5 = g_10 + g_1*g_4 - g_0*g_5
+    off_9 = g_15 - 1.0
+    off_10 = g_16*g_16 - 1.0 + g_19*g_19 + g_22*g_22
+    off_11 = g_16*g_17 + g_19*g_20 + g_22*g_23
+    off_12 = g_17*g_17 - 1.0 + g_20*g_20 + g_23*g_23
+    off_13 = g_18 + g_20*g_22 - g_19*g_23
+    off_14 = g_21 + g_16*g_23 - g_17*g_22
+    off_15 = g_24 + g_17*g_19 - g_16*g_20
     # -- end --
     return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6, g_12, g_13, g_14, off_10, off_11, off_12,
-         off_13, off_14, off_15, off_16, off_17),
+        (off_0, off_1, off_2, off_3, off_4, off_5, g_12, g_13, g_14, off_9, off_10, off_11, off_12,
+         off_13, off_14, off_15),
     )
 
 

@@ -70,12 +70,12 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
         cubesat_3u_f64_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   232 operations, 77 temporaries. */
+   224 operations, 81 temporaries. */
 void cubesat_3u_f64_tracking(const cubesat_3u_f64_params *params, const cubesat_3u_f64_state *state,
         const cubesat_3u_f64_reference *reference, cubesat_3u_f64_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   139 operations, 56 temporaries. */
+   131 operations, 60 temporaries. */
 void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_3u_f64_state *state,
         cubesat_3u_f64_command *command);
 

@@ -89,17 +89,23 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 -
         eta_1*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_4 + g_e_8;
+    const float pairs_3 = g_e_4 - g_e_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_4 - g_e_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_3;
     const float B_2 = g_e_2 + g_e_6;
     const float B_3 = g_e_7 - g_e_5;
-    const float B_4 = 1.0F + g_e_4 - g_e_0 - g_e_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_5 + g_e_7;
     const float B_6 = g_e_2 - g_e_6;
-    const float B_7 = 1.0F + g_e_8 - g_e_0 - g_e_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_3 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_4 + g_e_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -131,8 +137,11 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -142,53 +151,54 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
-
     /* k: half angle over its sine [1] */
     const float k = cubesat_3u_f32_k(w);
 
-    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
-    const float sine_square = (1.0F + w)*(1.0F - w);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = power_0*stretch;
+    const float nu_u_1 = power_1*stretch;
+    const float nu_u_2 = power_2*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = nu_e_2*power_1 - nu_e_1*power_2;
+    const float turn_1 = nu_e_0*power_2 - nu_e_2*power_0;
+    const float turn_2 = nu_e_1*power_0 - nu_e_0*power_1;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = power_1*turn_2 - power_2*turn_1;
+    const float bend_1 = power_2*turn_0 - power_0*turn_2;
+    const float bend_2 = power_0*turn_1 - power_1*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -205,10 +215,10 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* whole_momentum: I nu and the internal momentum [N m s] */
     const float whole_momentum_0 = momentum_0 + inertia_0*nu_0;
@@ -240,7 +250,7 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void cubesat_3u_f32_residual(const float g[9], float residual[7])
+static void cubesat_3u_f32_residual(const float g[9], float residual[6])
 {
     /* -- residual -- */
     const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
@@ -249,12 +259,10 @@ static void cubesat_3u_f32_residual(const float g[9], float residual[7])
     /* off: deviation from the group [1] */
     const float off_0 = g_0*g_0 - 1.0F + g_3*g_3 + g_6*g_6;
     const float off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const float off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const float off_3 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
-    const float off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const float off_5 = g_2*g_2 - 1.0F + g_5*g_5 + g_8*g_8;
-    const float off_6 = g_0*g_4*g_8 - 1.0F + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
+    const float off_2 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
+    const float off_3 = g_2 + g_4*g_6 - g_3*g_7;
+    const float off_4 = g_5 + g_0*g_7 - g_1*g_6;
+    const float off_5 = g_8 + g_1*g_3 - g_0*g_4;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -263,7 +271,6 @@ static void cubesat_3u_f32_residual(const float g[9], float residual[7])
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -305,10 +312,10 @@ static cubesat_3u_f32_status cubesat_3u_f32_inspect(const float *numbers, const 
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static cubesat_3u_f32_status cubesat_3u_f32_on_group(const float g[9])
 {
-    float residual[7];
+    float residual[6];
     int i;
     cubesat_3u_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
+    for (i = 0; i < 6; i++) {
         if (!(fabsf(residual[i]) <= CUBESAT_3U_F32_MAX_DRIFT)) {
             return CUBESAT_3U_F32_NOT_ON_GROUP;
         }
@@ -338,17 +345,23 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
     const float momentum_0 = state->momentum[0], momentum_1 = state->momentum[1],
         momentum_2 = state->momentum[2];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_0;
+    const float pairs_1 = 1.0F - g_0;
+    const float pairs_2 = g_4 + g_8;
+    const float pairs_3 = g_4 - g_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_0 - g_4 - g_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_1 + g_3;
     const float B_2 = g_2 + g_6;
     const float B_3 = g_7 - g_5;
-    const float B_4 = 1.0F + g_4 - g_0 - g_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_5 + g_7;
     const float B_6 = g_2 - g_6;
-    const float B_7 = 1.0F + g_8 - g_0 - g_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_3 - g_1;
-    const float B_9 = 1.0F + g_0 + g_4 + g_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -380,8 +393,11 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -391,53 +407,54 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
-
     /* k: half angle over its sine [1] */
     const float k = cubesat_3u_f32_k(w);
 
-    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
-    const float sine_square = (1.0F + w)*(1.0F - w);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = power_0*stretch;
+    const float nu_u_1 = power_1*stretch;
+    const float nu_u_2 = power_2*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = nu_2*power_1 - nu_1*power_2;
+    const float turn_1 = nu_0*power_2 - nu_2*power_0;
+    const float turn_2 = nu_1*power_0 - nu_0*power_1;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = power_1*turn_2 - power_2*turn_1;
+    const float bend_1 = power_2*turn_0 - power_0*turn_2;
+    const float bend_2 = power_0*turn_1 - power_1*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;

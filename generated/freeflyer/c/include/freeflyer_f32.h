@@ -69,12 +69,12 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
         freeflyer_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   552 operations, 144 temporaries. */
+   549 operations, 150 temporaries. */
 void freeflyer_f32_tracking(const freeflyer_f32_params *params, const freeflyer_f32_state *state,
         const freeflyer_f32_reference *reference, freeflyer_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   357 operations, 99 temporaries. */
+   354 operations, 105 temporaries. */
 void freeflyer_f32_reaching(const freeflyer_f32_params *params, const freeflyer_f32_state *state,
         freeflyer_f32_command *command);
 

@@ -69,12 +69,12 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
         freeflyer_f64_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   552 operations, 144 temporaries. */
+   549 operations, 150 temporaries. */
 void freeflyer_f64_tracking(const freeflyer_f64_params *params, const freeflyer_f64_state *state,
         const freeflyer_f64_reference *reference, freeflyer_f64_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   357 operations, 99 temporaries. */
+   354 operations, 105 temporaries. */
 void freeflyer_f64_reaching(const freeflyer_f64_params *params, const freeflyer_f64_state *state,
         freeflyer_f64_command *command);
 

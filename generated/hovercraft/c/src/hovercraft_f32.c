@@ -220,10 +220,10 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - nu_r_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_1 = inertia_3*nu_1;
@@ -252,26 +252,24 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void hovercraft_f32_residual(const float g[9], float residual[7])
+static void hovercraft_f32_residual(const float g[9], float residual[6])
 {
     /* -- residual -- */
     const float g_0 = g[0], g_1 = g[1], g_3 = g[3], g_4 = g[4], g_6 = g[6], g_7 = g[7], g_8 = g[8];
 
     /* off: deviation from the group [1] */
     const float off_0 = g_0*g_0 - 1.0F + g_3*g_3;
-    const float off_1 = g_0*g_1 + g_3*g_4;
-    const float off_2 = g_1*g_1 - 1.0F + g_4*g_4;
-    const float off_3 = g_0*g_4 - 1.0F - g_1*g_3;
-    const float off_6 = g_8 - 1.0F;
+    const float off_1 = g_1 + g_3;
+    const float off_2 = g_4 - g_0;
+    const float off_5 = g_8 - 1.0F;
 
     /* -- end -- */
     residual[0] = off_0;
     residual[1] = off_1;
     residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = g_6;
-    residual[5] = g_7;
-    residual[6] = off_6;
+    residual[3] = g_6;
+    residual[4] = g_7;
+    residual[5] = off_5;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -327,10 +325,10 @@ static hovercraft_f32_status hovercraft_f32_inspect(const float *numbers, const 
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static hovercraft_f32_status hovercraft_f32_on_group(const float g[9])
 {
-    float residual[7];
+    float residual[6];
     int i;
     hovercraft_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
+    for (i = 0; i < 6; i++) {
         if (!(fabsf(residual[i]) <= HOVERCRAFT_F32_MAX_DRIFT)) {
             return HOVERCRAFT_F32_NOT_ON_GROUP;
         }

@@ -244,10 +244,10 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - nu_r_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_1 = inertia_3*nu_1;
@@ -276,26 +276,24 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void hovercraft_f64_residual(const double g[9], double residual[7])
+static void hovercraft_f64_residual(const double g[9], double residual[6])
 {
     /* -- residual -- */
     const double g_0 = g[0], g_1 = g[1], g_3 = g[3], g_4 = g[4], g_6 = g[6], g_7 = g[7], g_8 = g[8];
 
     /* off: deviation from the group [1] */
     const double off_0 = g_0*g_0 - 1.0 + g_3*g_3;
-    const double off_1 = g_0*g_1 + g_3*g_4;
-    const double off_2 = g_1*g_1 - 1.0 + g_4*g_4;
-    const double off_3 = g_0*g_4 - 1.0 - g_1*g_3;
-    const double off_6 = g_8 - 1.0;
+    const double off_1 = g_1 + g_3;
+    const double off_2 = g_4 - g_0;
+    const double off_5 = g_8 - 1.0;
 
     /* -- end -- */
     residual[0] = off_0;
     residual[1] = off_1;
     residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = g_6;
-    residual[5] = g_7;
-    residual[6] = off_6;
+    residual[3] = g_6;
+    residual[4] = g_7;
+    residual[5] = off_5;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -351,10 +349,10 @@ static hovercraft_f64_status hovercraft_f64_inspect(const double *numbers, const
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static hovercraft_f64_status hovercraft_f64_on_group(const double g[9])
 {
-    double residual[7];
+    double residual[6];
     int i;
     hovercraft_f64_residual(g, residual);
-    for (i = 0; i < 7; i++) {
+    for (i = 0; i < 6; i++) {
         if (!(fabs(residual[i]) <= HOVERCRAFT_F64_MAX_DRIFT)) {
             return HOVERCRAFT_F64_NOT_ON_GROUP;
         }

@@ -69,12 +69,12 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
         paper_s3_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   234 operations, 69 temporaries. */
+   218 operations, 70 temporaries. */
 void paper_s3_f32_tracking(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
         const paper_s3_f32_reference *reference, paper_s3_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   124 operations, 43 temporaries. */
+   116 operations, 42 temporaries. */
 void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
         paper_s3_f32_command *command);
 

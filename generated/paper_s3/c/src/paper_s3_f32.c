@@ -61,16 +61,21 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
     const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
 
+    /* double: twice the vector part [1] */
+    const float double_0 = 2.0F*g_e_1;
+    const float double_1 = 2.0F*g_e_2;
+    const float double_2 = 2.0F*g_e_3;
+
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const float to_body_0 = 1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3;
-    const float to_body_1 = 2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const float to_body_2 = 2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const float to_body_3 = 2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const float to_body_4 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3;
-    const float to_body_5 = 2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const float to_body_6 = 2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const float to_body_7 = 2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const float to_body_8 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_2*g_e_2;
+    const float to_body_0 = 1.0F - double_1*g_e_2 - double_2*g_e_3;
+    const float to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const float to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const float to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const float to_body_4 = 1.0F - double_0*g_e_1 - double_2*g_e_3;
+    const float to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const float to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const float to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const float to_body_8 = 1.0F - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -90,8 +95,11 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+    /* square: square of its vector part [1] */
+    const float square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_e_0*g_e_0;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -101,7 +109,7 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -110,72 +118,65 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     /* w: cos of half the error angle [1] */
     const float w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_e_1*scale;
-    const float v_1 = g_e_2*scale;
-    const float v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = paper_s3_f32_k(fabsf(w));
 
-    /* sine_square: v.v [1] */
-    const float sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    float sine_bounded;
-    if (sine_square < (5.0e-8F*5.0e-8F)) {
-        sine_bounded = 5.0e-8F*5.0e-8F;
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 5.0e-8F*5.0e-8F;
     }
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
     } else {
-        k = 3.1415927F/sine - k_near;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    float distance;
-    if (w < 0.0F) {
-        distance = sine;
-    } else {
-        distance = 1.0F;
-    }
-
-    /* p: half of nu_u over v [1] */
-    const float p = 0.5F*k;
-
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
-    const float nu_u_0 = 2.0F*p*v_0;
-    const float nu_u_1 = 2.0F*p*v_1;
-    const float nu_u_2 = 2.0F*p*v_2;
+    const float nu_u_0 = g_e_1*reach;
+    const float nu_u_1 = g_e_2*reach;
+    const float nu_u_2 = g_e_3*reach;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* part: what the law has of nu_e at the identity [rad/s] */
+    const float part_0 = 0.5F*nu_e_0;
+    const float part_1 = 0.5F*nu_e_1;
+    const float part_2 = 0.5F*nu_e_2;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_e_2*part_2 - g_e_3*part_1;
+    const float turn_1 = g_e_3*part_0 - g_e_1*part_2;
+    const float turn_2 = g_e_1*part_1 - g_e_2*part_0;
+
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -192,10 +193,10 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
@@ -340,8 +341,11 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm_square: squared length [1] */
-    const float norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+    /* square: square of its vector part [1] */
+    const float square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_0*g_0;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -351,7 +355,7 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -360,64 +364,65 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     /* w: cos of half the error angle [1] */
     const float w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_1*scale;
-    const float v_1 = g_2*scale;
-    const float v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = paper_s3_f32_k(fabsf(w));
 
-    /* sine_square: v.v [1] */
-    const float sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    float sine_bounded;
-    if (sine_square < (5.0e-8F*5.0e-8F)) {
-        sine_bounded = 5.0e-8F*5.0e-8F;
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 5.0e-8F*5.0e-8F;
     }
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
     } else {
-        k = 3.1415927F/sine - k_near;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
 
-    /* p: half of nu_u over v [1] */
-    const float p = 0.5F*k;
-
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
-    const float nu_u_0 = 2.0F*p*v_0;
-    const float nu_u_1 = 2.0F*p*v_1;
-    const float nu_u_2 = 2.0F*p*v_2;
+    const float nu_u_0 = g_1*reach;
+    const float nu_u_1 = g_2*reach;
+    const float nu_u_2 = g_3*reach;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* part: what the law has of nu_e at the identity [rad/s] */
+    const float part_0 = 0.5F*nu_0;
+    const float part_1 = 0.5F*nu_1;
+    const float part_2 = 0.5F*nu_2;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_2*part_2 - g_3*part_1;
+    const float turn_1 = g_3*part_0 - g_1*part_2;
+    const float turn_2 = g_1*part_1 - g_2*part_0;
+
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_2*turn_2 - g_3*turn_1;
+    const float bend_1 = g_3*turn_0 - g_1*turn_2;
+    const float bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;

@@ -69,12 +69,12 @@ paper_so3_f32_status paper_so3_f32_control(const paper_so3_f32_params *params,
         paper_so3_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   253 operations, 77 temporaries. */
+   245 operations, 81 temporaries. */
 void paper_so3_f32_tracking(const paper_so3_f32_params *params, const paper_so3_f32_state *state,
         const paper_so3_f32_reference *reference, paper_so3_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   160 operations, 56 temporaries. */
+   152 operations, 60 temporaries. */
 void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_f32_state *state,
         paper_so3_f32_command *command);
 

@@ -105,7 +105,7 @@ static void paper_so3_lsf_f64_law(const paper_so3_lsf_f64_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void paper_so3_lsf_f64_residual(const double g[9], double residual[7])
+static void paper_so3_lsf_f64_residual(const double g[9], double residual[6])
 {
     /* -- residual -- */
     const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
@@ -114,12 +114,10 @@ static void paper_so3_lsf_f64_residual(const double g[9], double residual[7])
     /* off: deviation from the group [1] */
     const double off_0 = g_0*g_0 - 1.0 + g_3*g_3 + g_6*g_6;
     const double off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const double off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const double off_3 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7;
-    const double off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const double off_5 = g_2*g_2 - 1.0 + g_5*g_5 + g_8*g_8;
-    const double off_6 = g_0*g_4*g_8 - 1.0 + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
+    const double off_2 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7;
+    const double off_3 = g_2 + g_4*g_6 - g_3*g_7;
+    const double off_4 = g_5 + g_0*g_7 - g_1*g_6;
+    const double off_5 = g_8 + g_1*g_3 - g_0*g_4;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -128,7 +126,6 @@ static void paper_so3_lsf_f64_residual(const double g[9], double residual[7])
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -202,10 +199,10 @@ static paper_so3_lsf_f64_status paper_so3_lsf_f64_inspect(const double *numbers,
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static paper_so3_lsf_f64_status paper_so3_lsf_f64_on_group(const double g[9])
 {
-    double residual[7];
+    double residual[6];
     int i;
     paper_so3_lsf_f64_residual(g, residual);
-    for (i = 0; i < 7; i++) {
+    for (i = 0; i < 6; i++) {
         if (!(fabs(residual[i]) <= PAPER_SO3_LSF_F64_MAX_DRIFT)) {
             return PAPER_SO3_LSF_F64_NOT_ON_GROUP;
         }

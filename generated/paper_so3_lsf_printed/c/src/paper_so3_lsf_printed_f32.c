@@ -106,7 +106,7 @@ static void paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params
 }
 
 /* distance of stored numbers from the group. */
-static void paper_so3_lsf_printed_f32_residual(const float g[9], float residual[7])
+static void paper_so3_lsf_printed_f32_residual(const float g[9], float residual[6])
 {
     /* -- residual -- */
     const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
@@ -115,12 +115,10 @@ static void paper_so3_lsf_printed_f32_residual(const float g[9], float residual[
     /* off: deviation from the group [1] */
     const float off_0 = g_0*g_0 - 1.0F + g_3*g_3 + g_6*g_6;
     const float off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const float off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const float off_3 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
-    const float off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const float off_5 = g_2*g_2 - 1.0F + g_5*g_5 + g_8*g_8;
-    const float off_6 = g_0*g_4*g_8 - 1.0F + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
+    const float off_2 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
+    const float off_3 = g_2 + g_4*g_6 - g_3*g_7;
+    const float off_4 = g_5 + g_0*g_7 - g_1*g_6;
+    const float off_5 = g_8 + g_1*g_3 - g_0*g_4;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -129,7 +127,6 @@ static void paper_so3_lsf_printed_f32_residual(const float g[9], float residual[
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -206,10 +203,10 @@ static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_inspect(const 
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_on_group(const float g[9])
 {
-    float residual[7];
+    float residual[6];
     int i;
     paper_so3_lsf_printed_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
+    for (i = 0; i < 6; i++) {
         if (!(fabsf(residual[i]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_DRIFT)) {
             return PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP;
         }

@@ -74,7 +74,7 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
         paper_so3_pd_plus_f32_command *command);
 
 /* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3). Presumes what control checks.
-   192 operations, 54 temporaries. */
+   189 operations, 60 temporaries. */
 void paper_so3_pd_plus_f32_tracking(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command);

@@ -68,17 +68,23 @@ static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params
     const float given_1 = g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2;
     const float given_2 = g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_4 + g_e_8;
+    const float pairs_3 = g_e_4 - g_e_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_4 - g_e_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_3;
     const float B_2 = g_e_2 + g_e_6;
     const float B_3 = g_e_7 - g_e_5;
-    const float B_4 = 1.0F + g_e_4 - g_e_0 - g_e_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_5 + g_e_7;
     const float B_6 = g_e_2 - g_e_6;
-    const float B_7 = 1.0F + g_e_8 - g_e_0 - g_e_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_3 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_4 + g_e_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -110,8 +116,11 @@ static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -121,32 +130,35 @@ static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
+    /* nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3) */
+    const float nu_u_0 = power_0*scale;
+    const float nu_u_1 = power_1*scale;
+    const float nu_u_2 = power_2*scale;
 
     /* ratio: k_R/k_Omega [1/s] */
     const float ratio = k_R/k_Omega;
 
     /* s: sliding variable [rad/s], eq. (s3) */
-    const float s_0 = nu_e_0 + ratio*v_0;
-    const float s_1 = nu_e_1 + ratio*v_1;
-    const float s_2 = nu_e_2 + ratio*v_2;
+    const float s_0 = nu_e_0 + nu_u_0*ratio;
+    const float s_1 = nu_e_1 + nu_u_1*ratio;
+    const float s_2 = nu_e_2 + nu_u_2*ratio;
 
     /* momentum: I eta [N m s] */
     const float momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2;
@@ -168,14 +180,14 @@ static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params
     command->s[0] = s_0;
     command->s[1] = s_1;
     command->s[2] = s_2;
-    command->nu_u[0] = v_0;
-    command->nu_u[1] = v_1;
-    command->nu_u[2] = v_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
     *clearance = w;
 }
 
 /* distance of stored numbers from the group. */
-static void paper_so3_pd_plus_f32_residual(const float g[9], float residual[7])
+static void paper_so3_pd_plus_f32_residual(const float g[9], float residual[6])
 {
     /* -- residual -- */
     const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
@@ -184,12 +196,10 @@ static void paper_so3_pd_plus_f32_residual(const float g[9], float residual[7])
     /* off: deviation from the group [1] */
     const float off_0 = g_0*g_0 - 1.0F + g_3*g_3 + g_6*g_6;
     const float off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const float off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const float off_3 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
-    const float off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const float off_5 = g_2*g_2 - 1.0F + g_5*g_5 + g_8*g_8;
-    const float off_6 = g_0*g_4*g_8 - 1.0F + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
+    const float off_2 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
+    const float off_3 = g_2 + g_4*g_6 - g_3*g_7;
+    const float off_4 = g_5 + g_0*g_7 - g_1*g_6;
+    const float off_5 = g_8 + g_1*g_3 - g_0*g_4;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -198,7 +208,6 @@ static void paper_so3_pd_plus_f32_residual(const float g[9], float residual[7])
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -275,10 +284,10 @@ static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_inspect(const float *n
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_on_group(const float g[9])
 {
-    float residual[7];
+    float residual[6];
     int i;
     paper_so3_pd_plus_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
+    for (i = 0; i < 6; i++) {
         if (!(fabsf(residual[i]) <= PAPER_SO3_PD_PLUS_F32_MAX_DRIFT)) {
             return PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP;
         }

@@ -69,12 +69,12 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         quadrotor_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   213 operations, 67 temporaries. */
+   200 operations, 68 temporaries. */
 void quadrotor_f32_tracking(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
         const quadrotor_f32_reference *reference, quadrotor_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   103 operations, 41 temporaries. */
+   98 operations, 40 temporaries. */
 void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
         quadrotor_f32_command *command);
 

@@ -69,12 +69,12 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         quadrotor_f64_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   213 operations, 67 temporaries. */
+   200 operations, 68 temporaries. */
 void quadrotor_f64_tracking(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
         const quadrotor_f64_reference *reference, quadrotor_f64_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   103 operations, 41 temporaries. */
+   98 operations, 40 temporaries. */
 void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_f64_state *state,
         quadrotor_f64_command *command);
 

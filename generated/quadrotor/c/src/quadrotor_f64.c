@@ -72,16 +72,21 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
     const double g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
     const double g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
 
+    /* double: twice the vector part [1] */
+    const double double_0 = 2.0*g_e_1;
+    const double double_1 = 2.0*g_e_2;
+    const double double_2 = 2.0*g_e_3;
+
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const double to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3;
-    const double to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const double to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const double to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const double to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3;
-    const double to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const double to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const double to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const double to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2;
+    const double to_body_0 = 1.0 - double_1*g_e_2 - double_2*g_e_3;
+    const double to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const double to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const double to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const double to_body_4 = 1.0 - double_0*g_e_1 - double_2*g_e_3;
+    const double to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const double to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const double to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const double to_body_8 = 1.0 - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const double eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -101,18 +106,21 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
     const double eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm_square: squared length [1] */
-    const double norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+    /* square: square of its vector part [1] */
+    const double square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + g_e_0*g_e_0;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 0.75) {
-        norm_bounded = 0.75;
+    if (norm_square < 1.0e-8) {
+        norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -121,66 +129,63 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
     /* w: cos of half the error angle [1] */
     const double w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = g_e_1*scale;
-    const double v_1 = g_e_2*scale;
-    const double v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = quadrotor_f64_k(fabs(w));
 
-    /* sine_square: v.v [1] */
-    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    double sine_bounded;
-    if (sine_square < (5.0e-9*5.0e-9)) {
-        sine_bounded = 5.0e-9*5.0e-9;
+    /* divisor: the same, never zero [1] */
+    double divisor;
+    if (w >= 0.0) {
+        divisor = square + 1.0e-17;
+    } else if (square > (1.0e-60*1.0e-60)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 1.0e-60*1.0e-60;
     }
 
-    /* sine: |v| [1] */
-    const double sine = sqrt(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    double distance;
+    if (w >= 0.0) {
+        distance = 1.0;
+    } else {
+        distance = scale*sqrt(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
     } else {
-        k = 3.141592653589793/sine - k_near;
+        k = 3.141592653589793/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw = (1.0 - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    double distance;
-    if (w < 0.0) {
-        distance = sine;
-    } else {
-        distance = 1.0;
-    }
+    /* reach: p by the scale, but for a number [1] */
+    const double reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const double nu_u_0 = 2.0*k*v_0;
-    const double nu_u_1 = 2.0*k*v_1;
-    const double nu_u_2 = 2.0*k*v_2;
+    const double nu_u_0 = g_e_1*stretch;
+    const double nu_u_1 = g_e_2*stretch;
+    const double nu_u_2 = g_e_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const double turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const double turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const double turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const double turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
+    const double turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
+    const double turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const double bend_0 = turn_2*v_1 - turn_1*v_2;
-    const double bend_1 = turn_0*v_2 - turn_2*v_0;
-    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const double bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const double bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const double bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const double nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const double nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const double nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const double nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const double nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -197,10 +202,10 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
@@ -325,18 +330,21 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm_square: squared length [1] */
-    const double norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+    /* square: square of its vector part [1] */
+    const double square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + g_0*g_0;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 0.75) {
-        norm_bounded = 0.75;
+    if (norm_square < 1.0e-8) {
+        norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -345,58 +353,63 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
     /* w: cos of half the error angle [1] */
     const double w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = g_1*scale;
-    const double v_1 = g_2*scale;
-    const double v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = quadrotor_f64_k(fabs(w));
 
-    /* sine_square: v.v [1] */
-    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    double sine_bounded;
-    if (sine_square < (5.0e-9*5.0e-9)) {
-        sine_bounded = 5.0e-9*5.0e-9;
+    /* divisor: the same, never zero [1] */
+    double divisor;
+    if (w >= 0.0) {
+        divisor = square + 1.0e-17;
+    } else if (square > (1.0e-60*1.0e-60)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 1.0e-60*1.0e-60;
     }
 
-    /* sine: |v| [1] */
-    const double sine = sqrt(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    double distance;
+    if (w >= 0.0) {
+        distance = 1.0;
+    } else {
+        distance = scale*sqrt(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
     } else {
-        k = 3.141592653589793/sine - k_near;
+        k = 3.141592653589793/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw = (1.0 - k*w)/divisor;
+
+    /* reach: p by the scale, but for a number [1] */
+    const double reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const double nu_u_0 = 2.0*k*v_0;
-    const double nu_u_1 = 2.0*k*v_1;
-    const double nu_u_2 = 2.0*k*v_2;
+    const double nu_u_0 = g_1*stretch;
+    const double nu_u_1 = g_2*stretch;
+    const double nu_u_2 = g_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const double turn_0 = nu_2*v_1 - nu_1*v_2;
-    const double turn_1 = nu_0*v_2 - nu_2*v_0;
-    const double turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const double turn_0 = g_2*nu_2 - g_3*nu_1;
+    const double turn_1 = g_3*nu_0 - g_1*nu_2;
+    const double turn_2 = g_1*nu_1 - g_2*nu_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const double bend_0 = turn_2*v_1 - turn_1*v_2;
-    const double bend_1 = turn_0*v_2 - turn_2*v_0;
-    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const double bend_0 = g_2*turn_2 - g_3*turn_1;
+    const double bend_1 = g_3*turn_0 - g_1*turn_2;
+    const double bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const double nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const double nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const double nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const double nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const double nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;

@@ -73,12 +73,12 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
         two_bodies_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   733 operations, 222 temporaries. */
+   722 operations, 232 temporaries. */
 void two_bodies_f32_tracking(const two_bodies_f32_params *params, const two_bodies_f32_state *state,
         const two_bodies_f32_reference *reference, two_bodies_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   445 operations, 155 temporaries. */
+   434 operations, 165 temporaries. */
 void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodies_f32_state *state,
         two_bodies_f32_command *command);
 

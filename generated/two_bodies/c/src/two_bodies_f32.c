@@ -200,17 +200,23 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float eta_dot_8 = eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8
         - eta_7*nu_e_6;
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const float pairs_a_0 = 1.0F + g_e_0;
+    const float pairs_a_1 = 1.0F - g_e_0;
+    const float pairs_a_2 = g_e_10 + g_e_5;
+    const float pairs_a_3 = g_e_5 - g_e_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_a_0 = 1.0F + g_e_0 - g_e_10 - g_e_5;
+    const float B_a_0 = pairs_a_0 - pairs_a_2;
     const float B_a_1 = g_e_1 + g_e_4;
     const float B_a_2 = g_e_2 + g_e_8;
     const float B_a_3 = g_e_9 - g_e_6;
-    const float B_a_4 = 1.0F + g_e_5 - g_e_0 - g_e_10;
+    const float B_a_4 = pairs_a_1 + pairs_a_3;
     const float B_a_5 = g_e_6 + g_e_9;
     const float B_a_6 = g_e_2 - g_e_8;
-    const float B_a_7 = 1.0F + g_e_10 - g_e_0 - g_e_5;
+    const float B_a_7 = pairs_a_1 - pairs_a_3;
     const float B_a_8 = g_e_4 - g_e_1;
-    const float B_a_9 = 1.0F + g_e_0 + g_e_10 + g_e_5;
+    const float B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     float column_a_0, column_a_1, column_a_2, column_a_3;
@@ -246,9 +252,11 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
-    /* norm_square_a: squared length [1] */
-    const float norm_square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-        power_a_3*power_a_3;
+    /* square_a: square of its vector part [1] */
+    const float square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const float norm_square_a = square_a + power_a_3*power_a_3;
 
     /* norm_bounded_a: the same: less is no element [1] */
     float norm_bounded_a;
@@ -258,15 +266,18 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         norm_bounded_a = norm_square_a;
     }
 
-    /* norm_a: length [1] */
+    /* norm_a: its length [1] */
     const float norm_a = sqrtf(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const float inverse_norm_a = 1.0F/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
     if (power_a_3 < 0.0F) {
-        scale_a = -1.0F/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0F/norm_a;
+        scale_a = inverse_norm_a;
     }
 
     /* cosine_a: cos of half the error angle, rounded [1] */
@@ -319,17 +330,23 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float y_p_a_1 = half_a*rho_p_a_1;
     const float y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const float pairs_b_0 = 1.0F + g_e_16;
+    const float pairs_b_1 = 1.0F - g_e_16;
+    const float pairs_b_2 = g_e_20 + g_e_24;
+    const float pairs_b_3 = g_e_20 - g_e_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_b_0 = 1.0F + g_e_16 - g_e_20 - g_e_24;
+    const float B_b_0 = pairs_b_0 - pairs_b_2;
     const float B_b_1 = g_e_17 + g_e_19;
     const float B_b_2 = g_e_18 + g_e_22;
     const float B_b_3 = g_e_23 - g_e_21;
-    const float B_b_4 = 1.0F + g_e_20 - g_e_16 - g_e_24;
+    const float B_b_4 = pairs_b_1 + pairs_b_3;
     const float B_b_5 = g_e_21 + g_e_23;
     const float B_b_6 = g_e_18 - g_e_22;
-    const float B_b_7 = 1.0F + g_e_24 - g_e_16 - g_e_20;
+    const float B_b_7 = pairs_b_1 - pairs_b_3;
     const float B_b_8 = g_e_19 - g_e_17;
-    const float B_b_9 = 1.0F + g_e_16 + g_e_20 + g_e_24;
+    const float B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     float column_b_0, column_b_1, column_b_2, column_b_3;
@@ -365,9 +382,11 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
-    /* norm_square_b: squared length [1] */
-    const float norm_square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
-        power_b_3*power_b_3;
+    /* square_b: square of its vector part [1] */
+    const float square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const float norm_square_b = square_b + power_b_3*power_b_3;
 
     /* norm_bounded_b: the same: less is no element [1] */
     float norm_bounded_b;
@@ -377,33 +396,34 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         norm_bounded_b = norm_square_b;
     }
 
-    /* norm_b: length [1] */
+    /* norm_b: its length [1] */
     const float norm_b = sqrtf(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const float inverse_norm_b = 1.0F/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
     if (power_b_3 < 0.0F) {
-        scale_b = -1.0F/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0F/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const float w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const float v_b_0 = power_b_0*scale_b;
-    const float v_b_1 = power_b_1*scale_b;
-    const float v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* sine_square_b: 1 - w^2, below zero by an ulp at most [1] */
-    const float sine_square_b = (1.0F + w_b)*(1.0F - w_b);
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-8F + fabsf(sine_square_b));
+    /* reach_b: p by the scale, but for a number [1] */
+    const float reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const float stretch_b = 2.0F*reach_b;
 
     /* clearance_0: the smaller clearance [1] */
     float clearance_0;
@@ -414,9 +434,9 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     }
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const float nu_u_6 = 2.0F*k_b*v_b_0;
-    const float nu_u_7 = 2.0F*k_b*v_b_1;
-    const float nu_u_8 = 2.0F*k_b*v_b_2;
+    const float nu_u_6 = power_b_0*stretch_b;
+    const float nu_u_7 = power_b_1*stretch_b;
+    const float nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const float turn_a_0 = nu_e_2*v_a_1 - nu_e_1*v_a_2;
@@ -448,15 +468,15 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const float turn_b_0 = nu_e_8*v_b_1 - nu_e_7*v_b_2;
-    const float turn_b_1 = nu_e_6*v_b_2 - nu_e_8*v_b_0;
-    const float turn_b_2 = nu_e_7*v_b_0 - nu_e_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const float turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2;
+    const float turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0;
+    const float turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const float bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const float bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const float bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const float nu_u_dot_0 = nu_e_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -465,9 +485,9 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float nu_u_dot_3 = nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const float nu_u_dot_4 = nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const float nu_u_dot_5 = nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const float nu_u_dot_6 = nu_e_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const float nu_u_dot_7 = nu_e_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const float nu_u_dot_8 = nu_e_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const float nu_u_dot_6 = nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const float nu_u_dot_7 = nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const float nu_u_dot_8 = nu_e_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const float drive_0 = phi_a_0*rate_gain;
@@ -502,16 +522,16 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7;
     const float wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
-    const float turning_3 = drive_3 - eta_3;
-    const float turning_4 = drive_4 - eta_4;
-    const float turning_5 = drive_5 - eta_5;
-    const float turning_6 = drive_6 - eta_6;
-    const float turning_7 = drive_7 - eta_7;
-    const float turning_8 = drive_8 - eta_8;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+    const float turning_3 = s_3 - nu_3;
+    const float turning_4 = s_4 - nu_4;
+    const float turning_5 = s_5 - nu_5;
+    const float turning_6 = s_6 - nu_6;
+    const float turning_7 = s_7 - nu_7;
+    const float turning_8 = s_8 - nu_8;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4;
@@ -581,7 +601,7 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void two_bodies_f32_residual(const float g[25], float residual[18])
+static void two_bodies_f32_residual(const float g[25], float residual[16])
 {
     /* -- residual -- */
     const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
@@ -592,21 +612,17 @@ static void two_bodies_f32_residual(const float g[25], float residual[18])
     /* off: deviation from the group [1] */
     const float off_0 = g_0*g_0 - 1.0F + g_4*g_4 + g_8*g_8;
     const float off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const float off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const float off_3 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
-    const float off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const float off_5 = g_10*g_10 - 1.0F + g_2*g_2 + g_6*g_6;
-    const float off_6 = g_0*g_10*g_5 - 1.0F + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const float off_10 = g_15 - 1.0F;
-    const float off_11 = g_16*g_16 - 1.0F + g_19*g_19 + g_22*g_22;
-    const float off_12 = g_16*g_17 + g_19*g_20 + g_22*g_23;
-    const float off_13 = g_16*g_18 + g_19*g_21 + g_22*g_24;
-    const float off_14 = g_17*g_17 - 1.0F + g_20*g_20 + g_23*g_23;
-    const float off_15 = g_17*g_18 + g_20*g_21 + g_23*g_24;
-    const float off_16 = g_18*g_18 - 1.0F + g_21*g_21 + g_24*g_24;
-    const float off_17 = g_16*g_20*g_24 - 1.0F + g_17*g_21*g_22 + g_18*g_19*g_23 - g_16*g_21*g_23 -
-        g_17*g_19*g_24 - g_18*g_20*g_22;
+    const float off_2 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
+    const float off_3 = g_2 + g_5*g_8 - g_4*g_9;
+    const float off_4 = g_6 + g_0*g_9 - g_1*g_8;
+    const float off_5 = g_10 + g_1*g_4 - g_0*g_5;
+    const float off_9 = g_15 - 1.0F;
+    const float off_10 = g_16*g_16 - 1.0F + g_19*g_19 + g_22*g_22;
+    const float off_11 = g_16*g_17 + g_19*g_20 + g_22*g_23;
+    const float off_12 = g_17*g_17 - 1.0F + g_20*g_20 + g_23*g_23;
+    const float off_13 = g_18 + g_20*g_22 - g_19*g_23;
+    const float off_14 = g_21 + g_16*g_23 - g_17*g_22;
+    const float off_15 = g_24 + g_17*g_19 - g_16*g_20;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -615,18 +631,16 @@ static void two_bodies_f32_residual(const float g[25], float residual[18])
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
+    residual[6] = g_12;
+    residual[7] = g_13;
+    residual[8] = g_14;
+    residual[9] = off_9;
     residual[10] = off_10;
     residual[11] = off_11;
     residual[12] = off_12;
     residual[13] = off_13;
     residual[14] = off_14;
     residual[15] = off_15;
-    residual[16] = off_16;
-    residual[17] = off_17;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -723,10 +737,10 @@ static two_bodies_f32_status two_bodies_f32_inspect(const float *numbers, const 
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static two_bodies_f32_status two_bodies_f32_on_group(const float g[25])
 {
-    float residual[18];
+    float residual[16];
     int i;
     two_bodies_f32_residual(g, residual);
-    for (i = 0; i < 18; i++) {
+    for (i = 0; i < 16; i++) {
         if (!(fabsf(residual[i]) <= TWO_BODIES_F32_MAX_DRIFT)) {
             return TWO_BODIES_F32_NOT_ON_GROUP;
         }
@@ -763,17 +777,23 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const float pairs_a_0 = 1.0F + g_0;
+    const float pairs_a_1 = 1.0F - g_0;
+    const float pairs_a_2 = g_10 + g_5;
+    const float pairs_a_3 = g_5 - g_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_a_0 = 1.0F + g_0 - g_10 - g_5;
+    const float B_a_0 = pairs_a_0 - pairs_a_2;
     const float B_a_1 = g_1 + g_4;
     const float B_a_2 = g_2 + g_8;
     const float B_a_3 = g_9 - g_6;
-    const float B_a_4 = 1.0F + g_5 - g_0 - g_10;
+    const float B_a_4 = pairs_a_1 + pairs_a_3;
     const float B_a_5 = g_6 + g_9;
     const float B_a_6 = g_2 - g_8;
-    const float B_a_7 = 1.0F + g_10 - g_0 - g_5;
+    const float B_a_7 = pairs_a_1 - pairs_a_3;
     const float B_a_8 = g_4 - g_1;
-    const float B_a_9 = 1.0F + g_0 + g_10 + g_5;
+    const float B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     float column_a_0, column_a_1, column_a_2, column_a_3;
@@ -809,9 +829,11 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
-    /* norm_square_a: squared length [1] */
-    const float norm_square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-        power_a_3*power_a_3;
+    /* square_a: square of its vector part [1] */
+    const float square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const float norm_square_a = square_a + power_a_3*power_a_3;
 
     /* norm_bounded_a: the same: less is no element [1] */
     float norm_bounded_a;
@@ -821,15 +843,18 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
         norm_bounded_a = norm_square_a;
     }
 
-    /* norm_a: length [1] */
+    /* norm_a: its length [1] */
     const float norm_a = sqrtf(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const float inverse_norm_a = 1.0F/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
     if (power_a_3 < 0.0F) {
-        scale_a = -1.0F/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0F/norm_a;
+        scale_a = inverse_norm_a;
     }
 
     /* cosine_a: cos of half the error angle, rounded [1] */
@@ -882,17 +907,23 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float y_p_a_1 = half_a*rho_p_a_1;
     const float y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const float pairs_b_0 = 1.0F + g_16;
+    const float pairs_b_1 = 1.0F - g_16;
+    const float pairs_b_2 = g_20 + g_24;
+    const float pairs_b_3 = g_20 - g_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_b_0 = 1.0F + g_16 - g_20 - g_24;
+    const float B_b_0 = pairs_b_0 - pairs_b_2;
     const float B_b_1 = g_17 + g_19;
     const float B_b_2 = g_18 + g_22;
     const float B_b_3 = g_23 - g_21;
-    const float B_b_4 = 1.0F + g_20 - g_16 - g_24;
+    const float B_b_4 = pairs_b_1 + pairs_b_3;
     const float B_b_5 = g_21 + g_23;
     const float B_b_6 = g_18 - g_22;
-    const float B_b_7 = 1.0F + g_24 - g_16 - g_20;
+    const float B_b_7 = pairs_b_1 - pairs_b_3;
     const float B_b_8 = g_19 - g_17;
-    const float B_b_9 = 1.0F + g_16 + g_20 + g_24;
+    const float B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     float column_b_0, column_b_1, column_b_2, column_b_3;
@@ -928,9 +959,11 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
-    /* norm_square_b: squared length [1] */
-    const float norm_square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
-        power_b_3*power_b_3;
+    /* square_b: square of its vector part [1] */
+    const float square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const float norm_square_b = square_b + power_b_3*power_b_3;
 
     /* norm_bounded_b: the same: less is no element [1] */
     float norm_bounded_b;
@@ -940,38 +973,39 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
         norm_bounded_b = norm_square_b;
     }
 
-    /* norm_b: length [1] */
+    /* norm_b: its length [1] */
     const float norm_b = sqrtf(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const float inverse_norm_b = 1.0F/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
     if (power_b_3 < 0.0F) {
-        scale_b = -1.0F/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0F/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const float w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const float v_b_0 = power_b_0*scale_b;
-    const float v_b_1 = power_b_1*scale_b;
-    const float v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* sine_square_b: 1 - w^2, below zero by an ulp at most [1] */
-    const float sine_square_b = (1.0F + w_b)*(1.0F - w_b);
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-8F + fabsf(sine_square_b));
+    /* reach_b: p by the scale, but for a number [1] */
+    const float reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const float stretch_b = 2.0F*reach_b;
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const float nu_u_6 = 2.0F*k_b*v_b_0;
-    const float nu_u_7 = 2.0F*k_b*v_b_1;
-    const float nu_u_8 = 2.0F*k_b*v_b_2;
+    const float nu_u_6 = power_b_0*stretch_b;
+    const float nu_u_7 = power_b_1*stretch_b;
+    const float nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const float turn_a_0 = nu_2*v_a_1 - nu_1*v_a_2;
@@ -1003,15 +1037,15 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const float turn_b_0 = nu_8*v_b_1 - nu_7*v_b_2;
-    const float turn_b_1 = nu_6*v_b_2 - nu_8*v_b_0;
-    const float turn_b_2 = nu_7*v_b_0 - nu_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const float turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2;
+    const float turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0;
+    const float turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const float bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const float bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const float bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const float nu_u_dot_0 = nu_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -1020,9 +1054,9 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float nu_u_dot_3 = nu_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const float nu_u_dot_4 = nu_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const float nu_u_dot_5 = nu_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const float nu_u_dot_6 = nu_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const float nu_u_dot_7 = nu_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const float nu_u_dot_8 = nu_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const float nu_u_dot_6 = nu_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const float nu_u_dot_7 = nu_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const float nu_u_dot_8 = nu_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const float drive_0 = phi_a_0*rate_gain;

@@ -70,12 +70,12 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
         underwater_f32_command *command);
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). Presumes what control checks.
-   606 operations, 144 temporaries. */
+   603 operations, 150 temporaries. */
 void underwater_f32_tracking(const underwater_f32_params *params, const underwater_f32_state *state,
         const underwater_f32_reference *reference, underwater_f32_command *command);
 
 /* force that drives (g, nu) to (e, 0); eq. (Ctrl2). Presumes what control checks.
-   411 operations, 99 temporaries. */
+   408 operations, 105 temporaries. */
 void underwater_f32_reaching(const underwater_f32_params *params, const underwater_f32_state *state,
         underwater_f32_command *command);
 

@@ -174,17 +174,23 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float eta_dot_5 = eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
         eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_10 + g_e_5;
+    const float pairs_3 = g_e_5 - g_e_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_10 - g_e_5;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_4;
     const float B_2 = g_e_2 + g_e_8;
     const float B_3 = g_e_9 - g_e_6;
-    const float B_4 = 1.0F + g_e_5 - g_e_0 - g_e_10;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_6 + g_e_9;
     const float B_6 = g_e_2 - g_e_8;
-    const float B_7 = 1.0F + g_e_10 - g_e_0 - g_e_5;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_4 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_10 + g_e_5;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -216,8 +222,11 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -227,15 +236,18 @@ static void underwater_f32_law(const underwater_f32_params *params,
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* cosine: cos of half the error angle, rounded [1] */
@@ -350,13 +362,13 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const float wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
-    const float turning_3 = drive_3 - eta_3;
-    const float turning_4 = drive_4 - eta_4;
-    const float turning_5 = drive_5 - eta_5;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+    const float turning_3 = s_3 - nu_3;
+    const float turning_4 = s_4 - nu_4;
+    const float turning_5 = s_5 - nu_5;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 +
@@ -421,7 +433,7 @@ static void underwater_f32_law(const underwater_f32_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void underwater_f32_residual(const float g[16], float residual[11])
+static void underwater_f32_residual(const float g[16], float residual[10])
 {
     /* -- residual -- */
     const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
@@ -430,13 +442,11 @@ static void underwater_f32_residual(const float g[16], float residual[11])
     /* off: deviation from the group [1] */
     const float off_0 = g_0*g_0 - 1.0F + g_4*g_4 + g_8*g_8;
     const float off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const float off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const float off_3 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
-    const float off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const float off_5 = g_10*g_10 - 1.0F + g_2*g_2 + g_6*g_6;
-    const float off_6 = g_0*g_10*g_5 - 1.0F + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const float off_10 = g_15 - 1.0F;
+    const float off_2 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
+    const float off_3 = g_2 + g_5*g_8 - g_4*g_9;
+    const float off_4 = g_6 + g_0*g_9 - g_1*g_8;
+    const float off_5 = g_10 + g_1*g_4 - g_0*g_5;
+    const float off_9 = g_15 - 1.0F;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -445,11 +455,10 @@ static void underwater_f32_residual(const float g[16], float residual[11])
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
+    residual[6] = g_12;
+    residual[7] = g_13;
+    residual[8] = g_14;
+    residual[9] = off_9;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -612,10 +621,10 @@ static underwater_f32_status underwater_f32_inspect(const float *numbers, const 
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static underwater_f32_status underwater_f32_on_group(const float g[16])
 {
-    float residual[11];
+    float residual[10];
     int i;
     underwater_f32_residual(g, residual);
-    for (i = 0; i < 11; i++) {
+    for (i = 0; i < 10; i++) {
         if (!(fabsf(residual[i]) <= UNDERWATER_F32_MAX_DRIFT)) {
             return UNDERWATER_F32_NOT_ON_GROUP;
         }
@@ -656,17 +665,23 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_0;
+    const float pairs_1 = 1.0F - g_0;
+    const float pairs_2 = g_10 + g_5;
+    const float pairs_3 = g_5 - g_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_0 - g_10 - g_5;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_1 + g_4;
     const float B_2 = g_2 + g_8;
     const float B_3 = g_9 - g_6;
-    const float B_4 = 1.0F + g_5 - g_0 - g_10;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_6 + g_9;
     const float B_6 = g_2 - g_8;
-    const float B_7 = 1.0F + g_10 - g_0 - g_5;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_4 - g_1;
-    const float B_9 = 1.0F + g_0 + g_10 + g_5;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -698,8 +713,11 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -709,15 +727,18 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* cosine: cos of half the error angle, rounded [1] */

@@ -210,17 +210,23 @@ static void underwater_f64_law(const underwater_f64_params *params,
     const double eta_dot_5 = eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
         eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const double pairs_0 = 1.0 + g_e_0;
+    const double pairs_1 = 1.0 - g_e_0;
+    const double pairs_2 = g_e_10 + g_e_5;
+    const double pairs_3 = g_e_5 - g_e_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_e_0 - g_e_10 - g_e_5;
+    const double B_0 = pairs_0 - pairs_2;
     const double B_1 = g_e_1 + g_e_4;
     const double B_2 = g_e_2 + g_e_8;
     const double B_3 = g_e_9 - g_e_6;
-    const double B_4 = 1.0 + g_e_5 - g_e_0 - g_e_10;
+    const double B_4 = pairs_1 + pairs_3;
     const double B_5 = g_e_6 + g_e_9;
     const double B_6 = g_e_2 - g_e_8;
-    const double B_7 = 1.0 + g_e_10 - g_e_0 - g_e_5;
+    const double B_7 = pairs_1 - pairs_3;
     const double B_8 = g_e_4 - g_e_1;
-    const double B_9 = 1.0 + g_e_0 + g_e_10 + g_e_5;
+    const double B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
@@ -252,9 +258,11 @@ static void underwater_f64_law(const underwater_f64_params *params,
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3;
+    /* square: square of its vector part [1] */
+    const double square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
@@ -264,15 +272,18 @@ static void underwater_f64_law(const underwater_f64_params *params,
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const double inverse_norm = 1.0/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
     if (power_3 < 0.0) {
-        scale = -1.0/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0/norm;
+        scale = inverse_norm;
     }
 
     /* cosine: cos of half the error angle, rounded [1] */
@@ -387,13 +398,13 @@ static void underwater_f64_law(const underwater_f64_params *params,
     const double wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const double wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
-    const double turning_3 = drive_3 - eta_3;
-    const double turning_4 = drive_4 - eta_4;
-    const double turning_5 = drive_5 - eta_5;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
+    const double turning_3 = s_3 - nu_3;
+    const double turning_4 = s_4 - nu_4;
+    const double turning_5 = s_5 - nu_5;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 +
@@ -458,7 +469,7 @@ static void underwater_f64_law(const underwater_f64_params *params,
 }
 
 /* distance of stored numbers from the group. */
-static void underwater_f64_residual(const double g[16], double residual[11])
+static void underwater_f64_residual(const double g[16], double residual[10])
 {
     /* -- residual -- */
     const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
@@ -467,13 +478,11 @@ static void underwater_f64_residual(const double g[16], double residual[11])
     /* off: deviation from the group [1] */
     const double off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8;
     const double off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const double off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const double off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9;
-    const double off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const double off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6;
-    const double off_6 = g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const double off_10 = g_15 - 1.0;
+    const double off_2 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9;
+    const double off_3 = g_2 + g_5*g_8 - g_4*g_9;
+    const double off_4 = g_6 + g_0*g_9 - g_1*g_8;
+    const double off_5 = g_10 + g_1*g_4 - g_0*g_5;
+    const double off_9 = g_15 - 1.0;
 
     /* -- end -- */
     residual[0] = off_0;
@@ -482,11 +491,10 @@ static void underwater_f64_residual(const double g[16], double residual[11])
     residual[3] = off_3;
     residual[4] = off_4;
     residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
+    residual[6] = g_12;
+    residual[7] = g_13;
+    residual[8] = g_14;
+    residual[9] = off_9;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -649,10 +657,10 @@ static underwater_f64_status underwater_f64_inspect(const double *numbers, const
 /* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
 static underwater_f64_status underwater_f64_on_group(const double g[16])
 {
-    double residual[11];
+    double residual[10];
     int i;
     underwater_f64_residual(g, residual);
-    for (i = 0; i < 11; i++) {
+    for (i = 0; i < 10; i++) {
         if (!(fabs(residual[i]) <= UNDERWATER_F64_MAX_DRIFT)) {
             return UNDERWATER_F64_NOT_ON_GROUP;
         }
@@ -693,17 +701,23 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const double pairs_0 = 1.0 + g_0;
+    const double pairs_1 = 1.0 - g_0;
+    const double pairs_2 = g_10 + g_5;
+    const double pairs_3 = g_5 - g_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_0 - g_10 - g_5;
+    const double B_0 = pairs_0 - pairs_2;
     const double B_1 = g_1 + g_4;
     const double B_2 = g_2 + g_8;
     const double B_3 = g_9 - g_6;
-    const double B_4 = 1.0 + g_5 - g_0 - g_10;
+    const double B_4 = pairs_1 + pairs_3;
     const double B_5 = g_6 + g_9;
     const double B_6 = g_2 - g_8;
-    const double B_7 = 1.0 + g_10 - g_0 - g_5;
+    const double B_7 = pairs_1 - pairs_3;
     const double B_8 = g_4 - g_1;
-    const double B_9 = 1.0 + g_0 + g_10 + g_5;
+    const double B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
@@ -735,9 +749,11 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const double norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3;
+    /* square: square of its vector part [1] */
+    const double square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
@@ -747,15 +763,18 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const double inverse_norm = 1.0/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
     if (power_3 < 0.0) {
-        scale = -1.0/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0/norm;
+        scale = inverse_norm;
     }
 
     /* cosine: cos of half the error angle, rounded [1] */
