@@ -9,8 +9,8 @@ from sympy import ImmutableMatrix, Matrix, eye
 
 from derive.lie import chart, cover
 from derive.lie.affine import semidirect
-from derive.lie.family import product, vector_space
 from derive.lie.cover import Let
+from derive.lie.family import product, vector_space
 from derive.lie.group import Group, Pull
 
 
@@ -54,9 +54,10 @@ def _pull_of_quaternion(let: Let, q: Matrix) -> Pull:
 
 
 def _orthonormal(stored: Matrix) -> Matrix:
-    """Numbers that vanish on rotations alone: the first columns are a unit, or two at a right angle,
+    """Numbers that vanish on rotations alone.
 
-    and the last column is what they leave it to be, which also settles the sign of det R.
+    All columns but the last are units at right angles, and the last is the one that they leave:
+    that settles the sign of det R, too.
     """
     if len(stored) == 4:
         a, c, b, d = stored

@@ -90,7 +90,8 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Scaled
     A carrier turns translations too, for which a divided h is too rough; they are the longer the
     more its polynomials are off, so that w is kept from being above 1 by an ulp or more.
     """
-    B = let("B", _quadruple(let, stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
+    entries = _quadruple(let, stored.reshape(3, 3))
+    B = let("B", entries, "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
     B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
     columns = [B[:, j] for j in range(4)]
     x, y, z, w = (B[j, j] for j in range(4))
