@@ -74,7 +74,10 @@ KERNELS = {
 
 CONSTANTS = {
     "TINY": "rounds away beside any normal number, and keeps divisors from being zero",
-    "SMALL": "a sine below which an error beyond pi has no axis",
+    "SMALL": "added to a divisor that vanishes at a pole",
+    "FLOOR": "added to a squared sine, beside which it rounds away where it counts",
+    "CUT": "least sine that an error beyond pi is divided by",
+    "LEAST": "below the squared length of any unit quaternion",
 }
 """Named constant -> what it is for."""
 

@@ -17,12 +17,24 @@ from typing import TYPE_CHECKING
 import sympy
 from sympy import Expr, Matrix, eye, sqrt
 
-from derive.lie.cover import Cover, Let, choose, of_quaternion, of_rotation, polynomials
-from derive.lie.kernel import SMALL, TINY, H, K
+from derive.lie.cover import (
+    Cover,
+    Let,
+    at_least,
+    choose,
+    let_cosine,
+    of_quaternion,
+    of_rotation,
+    polynomials,
+)
+from derive.lie.kernel import SMALL, H, K
 
 if TYPE_CHECKING:
     from derive.lie.group import Group
 
+
+NEAR_TURN = sympy.Integer(3)
+"""Below the squares of |(2 cos, 2 sin)| and of what half the turn is read from, at least 4."""
 
 Tangent = Callable[[Let], Matrix]
 Tail = Callable[[Let, Matrix], Matrix]
@@ -194,7 +206,9 @@ def _half_turn(let: Let, c: Expr, s: Expr) -> tuple[Expr, Expr]:
     its columns that cannot vanish. At pi the sine is 1.
     """
     c, s = let("twice", Matrix([c, s]), "1", "2 cos and 2 sin of the angle")
-    n = let("norm", sqrt(c * c + s * s + TINY), "1", "their length")
+    square = let("norm_square", c * c + s * s, "1", "their squared length")
+    bounded = let("norm_bounded", at_least(square, NEAR_TURN), "1", "the same: less is no turn")
+    n = let("norm", sqrt(bounded), "1", "their length")
     column = let(
         "column",
         choose(
@@ -205,6 +219,8 @@ def _half_turn(let: Let, c: Expr, s: Expr) -> tuple[Expr, Expr]:
         "1",
         "cos >= 0 and sin of half the angle, unscaled",
     )
-    scale = let("scale", 1 / sqrt(column.dot(column) + TINY), "1", "to unit length")
-    w = let("w", column[0] * scale, "1", "cos of half the error angle")
+    square = let("column_square", column.dot(column), "1", "squared length")
+    bounded = let("column_bounded", at_least(square, NEAR_TURN), "1", "the same")
+    scale = let("scale", 1 / sqrt(bounded), "1", "to unit length")
+    w = let_cosine(let, column[0] * scale)
     return w, let("sine", column[1] * scale, "1", "sin of half the error angle")

@@ -33,7 +33,19 @@ TINY = sympy.Symbol("TINY", positive=True)
 """A positive number that rounds away beside any normal one: keeps divisors from being zero."""
 
 SMALL = sympy.Symbol("SMALL", positive=True)
-"""A sine below which an error beyond pi has no axis; its inverse cube does not overflow."""
+"""Added to a divisor that vanishes at a pole; its inverse cube does not overflow."""
+
+FLOOR = sympy.Symbol("FLOOR", positive=True)
+"""Added to a squared sine that is divided by and multiplied with again: it rounds away there."""
+
+CUT = sympy.Symbol("CUT", positive=True)
+"""Least sine that an error beyond pi is divided by: where a law is refused, it stays bounded."""
+
+LEAST = sympy.Symbol("LEAST", positive=True)
+"""Least square of a quaternion's length: below that of any unit quaternion."""
+
+CONSTANTS = (TINY, SMALL, FLOOR, CUT, LEAST)
+"""All of them: zero in the maths, and a number in each scalar."""
 
 
 class Arc(sympy.Function):

@@ -20,7 +20,7 @@ from derive.control.kinematic import apply, laws_of
 from derive.lie.cover import Cover
 from derive.lie.family import MARKS
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY, exact
+from derive.lie.kernel import CONSTANTS, exact
 from derive.routine.derivation import Derivation, Quantity
 from derive.routine.rate import rate
 from derive.verify.derived import lie_group
@@ -97,7 +97,12 @@ def _one_flow(
     if f"v{mark}" in known:
         v = Matrix(known[f"v{mark}"])
         let = lambda name, *rest: d.let(f"{name}{mark}", *rest)  # noqa: E731
-        yield from Cover(w, v).rate(let, nu[:3, :]).items()
+        rates = Cover(w, v).rate(let, nu[:3, :])
+        yield from rates.items()
+        (scale,) = known[f"scale{mark}"]
+        yield scale, sympy.S.Zero  # the length it is scaled from may be taken as constant
+        if f"power{mark}" in known:
+            yield from zip(known[f"power{mark}"], (rates[one] / scale for one in v), strict=False)
     else:  # in the plane
         (s,) = known[f"sine{mark}"]
         yield w, -s * nu[0] / 2
@@ -113,7 +118,7 @@ def _point(d: Derivation, vehicle: Plant, rng: random.Random) -> dict[Any, Any]:
     stored = matrix_group.store(vehicle.space, matrix_group.exp(vehicle.space, x))
     nu = [Rational(rng.randint(-50, 50), 7) for _ in range(n)]
     symbols = [symbol for quantity in d.inputs for symbol in quantity.symbols()]
-    vanished = {TINY: sympy.S.Zero, SMALL: sympy.S.Zero}
+    vanished = dict.fromkeys(CONSTANTS, sympy.S.Zero)
     return {**dict(zip(symbols, [*map(_rational, stored), *nu], strict=True)), **vanished}
 
 

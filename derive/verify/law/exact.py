@@ -17,7 +17,7 @@ from sympy import Expr, Matrix, Rational
 
 from derive.control.matrix_law import keeps_odd_powers
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY, Arc, K
+from derive.lie.kernel import CONSTANTS, Arc, K
 from derive.routine.derivation import Derivation
 from derive.verify.law.space import turning
 
@@ -36,7 +36,7 @@ class Point:
 
 def outputs(d: Derivation, given: Mapping[str, Matrix | Expr]) -> dict[str, list[Expr]]:
     """Outputs by name; kernel functions stay symbols, but for s^2 h = 1 - w k."""
-    known: dict[Expr, Expr] = {TINY: sympy.S.Zero, SMALL: sympy.S.Zero}
+    known: dict[Expr, Expr] = dict.fromkeys(CONSTANTS, sympy.S.Zero)
     for quantity in d.inputs:
         value = given[quantity.name]
         row = [value] if quantity.is_scalar else list(value)

@@ -19,7 +19,7 @@ import sympy
 from sympy import Expr, Matrix, Rational, Symbol
 
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY
+from derive.lie.kernel import CONSTANTS
 from derive.routine.derivation import Derivation
 from derive.verify.proof.dual import NOTHING, Dual, Kernel, Walk, exact
 from derive.verify.proof.exponential import STILL, Turn, exponential, square_of_pair
@@ -131,7 +131,7 @@ def evaluated(
     """Value and rate of every symbol; an input without a rate rests."""
     moves = rates or {}
     known = {one: (exact(x), exact(moves.get(one, sympy.S.Zero))) for one, x in values.items()}
-    known |= dict.fromkeys((TINY, SMALL), (NOTHING, NOTHING))
+    known |= dict.fromkeys(CONSTANTS, (NOTHING, NOTHING))
     walk = Walk(known, point.kernel, exact(PI))
     for symbol, term in d.terms():
         known[symbol] = walk(term)

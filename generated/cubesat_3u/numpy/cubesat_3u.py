@@ -33,69 +33,85 @@ False, 'holder': '', 'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_
 [['eta_dot_0', 'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 -
 eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2
 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 +
-g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p
-p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
-'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8',
-'B_9'], 'lines': [['B_0', '1.0 + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 +
-g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0 + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'],
-['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0 + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9',
-'1.0 + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a
-column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition':
-'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'],
-['column_3', 'B_9']]}, {'condition': '(B_0.real >= B_4.real) & (B_0.real >= B_7.real)', 'lines':
-[['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition':
-'B_4.real >= B_7.real', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'],
-['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'],
-['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the
-column after one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 +
-B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 +
-B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'],
-['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name':
-'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(1.0e-290 + power_0*power_0 +
-power_1*power_1 + power_2*power_2 + power_3*power_3)']], 'cases': []}, {'name': 'scale', 'size': 1,
-'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
-'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases':
-[{'condition': 'power_3.real < 0.0', 'lines': [['scale', '-1.0/norm']]}, {'condition': '', 'lines':
-[['scale', '1.0/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error
-angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w',
-'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error
-angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2',
-'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its
-sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k',
-'_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2',
-'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'], 'lines': [['h', '(1.0 -
-k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad',
-'doc': 'kinematic law, the rotation vector', 'source': 'eq. (KinCtrlLawSO3)', 'is_scalar': False,
-'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
-'2.0*k*v_0'], ['nu_u_1', '2.0*k*v_1'], ['nu_u_2', '2.0*k*v_2']], 'cases': []}, {'name': 'turn',
-'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'nu_e_2*v_1 -
-nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']],
-'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines':
-[['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2',
-'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc':
-'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h +
-k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h +
-k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1',
-'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
-'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
-variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2',
-'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc':
+g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4, 'unit': '1', 'doc':
+"what B's diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0 + g_e_0'],
+['pairs_1', '1.0 - g_e_0'], ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3', 'g_e_4 - g_e_8']], 'cases':
+[]}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar
+factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0',
+'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 -
+pairs_2'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4',
+'pairs_1 + pairs_3'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', 'pairs_1 -
+pairs_3'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column',
+'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
+'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >= B_4.real) & (B_0.real >=
+B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+'B_3']]}, {'condition': 'B_4.real >= B_7.real', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
+['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4,
+'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0',
+'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 +
+B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
+B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
+B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of its
+vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'],
+'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']], 'cases': []}, {'name':
+'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'square +
+power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same:
+less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square.real < 49.0', 'lines':
+[['norm_bounded', '49.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]},
+{'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(norm_bounded)']],
+'cases': []}, {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
+[['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
+unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3.real < 0.0',
+'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines': [['scale', 'inverse_norm']]}]},
+{'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']],
+'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k', '_k(w)']], 'cases':
+[]}, {'name': 'h_raw', 'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 -
+w k", 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_raw'], 'lines':
+[['h_raw', '(1.0 - k*w)/(square + 1.0e-17)']], 'cases': []}, {'name': 'reach', 'size': 1, 'unit':
+'1', 'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['reach'], 'lines': [['reach', 'k*scale']], 'cases': []}, {'name': 'stretch',
+'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['stretch'], 'lines': [['stretch', '2.0*reach']], 'cases': []},
+{'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law, the rotation vector', 'source':
+'eq. (KinCtrlLawSO3)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1',
+'nu_u_2'], 'lines': [['nu_u_0', 'power_0*stretch'], ['nu_u_1', 'power_1*stretch'], ['nu_u_2',
+'power_2*stretch']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part
+x nu_e, its share', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'nu_e_2*power_1 - nu_e_1*power_2'], ['turn_1',
+'nu_e_0*power_2 - nu_e_2*power_0'], ['turn_2', 'nu_e_1*power_0 - nu_e_0*power_1']], 'cases': []},
+{'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '', 'is_scalar':
+False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0',
+'power_1*turn_2 - power_2*turn_1'], ['bend_1', 'power_2*turn_0 - power_0*turn_2'], ['bend_2',
+'power_0*turn_1 - power_1*turn_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s',
+'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h_raw +
+reach*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h_raw + reach*turn_1'], ['nu_u_dot_2', 'nu_e_2 +
+bend_2*h_raw + reach*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
+'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0',
+'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'],
+['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
+'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '',
+'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
+['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc':
 'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
 ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
 reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2',
 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3,
-'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 -
-eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+'unit': 'rad/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
+nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
 'whole_momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu and the internal momentum', 'source': '',
 'is_scalar': False, 'holder': '', 'member': '', 'names': ['whole_momentum_0', 'whole_momentum_1',
 'whole_momentum_2'], 'lines': [['whole_momentum_0', 'momentum_0 + inertia_0*nu_0'],
@@ -115,7 +131,7 @@ turning_1*whole_momentum_0 - turning_0*whole_momentum_1']], 'cases': []}], 'outp
 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
 'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True,
-'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 188, 'temporaries': 65,
+'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 179, 'temporaries': 72,
 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments':
 ['nu', 'momentum', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
 'clearance'], 'public_writes': ['command', 'clearance']}, double precision, batched.
@@ -455,17 +471,22 @@ def _law(
     eta_dot_0 = eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1
     eta_dot_1 = eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2
     eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_1*nu_e_0
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_4 + g_e_8
+    pairs_3 = g_e_4 - g_e_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_3
     B_2 = g_e_2 + g_e_6
     B_3 = g_e_7 - g_e_5
-    B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_5 + g_e_7
     B_6 = g_e_2 - g_e_6
-    B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_3 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -487,37 +508,46 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/(square + 1.0e-17)
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_e_2*v_1 - nu_e_1*v_2
-    turn_1 = nu_e_0*v_2 - nu_e_2*v_0
-    turn_2 = nu_e_1*v_0 - nu_e_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = power_0*stretch
+    nu_u_1 = power_1*stretch
+    nu_u_2 = power_2*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = nu_e_2*power_1 - nu_e_1*power_2
+    turn_1 = nu_e_0*power_2 - nu_e_2*power_0
+    turn_2 = nu_e_1*power_0 - nu_e_0*power_1
+    # bend: vector part x that [rad/s]
+    bend_0 = power_1*turn_2 - power_2*turn_1
+    bend_1 = power_2*turn_0 - power_0*turn_2
+    bend_2 = power_0*turn_1 - power_1*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -530,10 +560,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # whole_momentum: I nu and the internal momentum [N m s]
     whole_momentum_0 = momentum_0 + inertia_0*nu_0
     whole_momentum_1 = momentum_1 + inertia_3*nu_1
@@ -565,17 +595,22 @@ def _reaching(
     )
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
     momentum_0, momentum_1, momentum_2 = momentum[0], momentum[1], momentum[2]
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_0
+    pairs_1 = 1.0 - g_0
+    pairs_2 = g_4 + g_8
+    pairs_3 = g_4 - g_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 - g_4 - g_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_1 + g_3
     B_2 = g_2 + g_6
     B_3 = g_7 - g_5
-    B_4 = 1.0 + g_4 - g_0 - g_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_5 + g_7
     B_6 = g_2 - g_6
-    B_7 = 1.0 + g_8 - g_0 - g_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_3 - g_1
-    B_9 = 1.0 + g_0 + g_4 + g_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -597,37 +632,46 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + (1.0 + w)*(1.0 - w))
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/(square + 1.0e-17)
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_2*v_1 - nu_1*v_2
-    turn_1 = nu_0*v_2 - nu_2*v_0
-    turn_2 = nu_1*v_0 - nu_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = power_0*stretch
+    nu_u_1 = power_1*stretch
+    nu_u_2 = power_2*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = nu_2*power_1 - nu_1*power_2
+    turn_1 = nu_0*power_2 - nu_2*power_0
+    turn_2 = nu_1*power_0 - nu_0*power_1
+    # bend: vector part x that [rad/s]
+    bend_0 = power_1*turn_2 - power_2*turn_1
+    bend_1 = power_2*turn_0 - power_0*turn_2
+    bend_2 = power_0*turn_1 - power_1*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -736,19 +780,12 @@ def _drift(
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3 + g_e_6*g_e_6
     off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7
-    off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8
-    off_3 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
-    off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8
-    off_5 = g_e_2*g_e_2 - 1.0 + g_e_5*g_e_5 + g_e_8*g_e_8
-    off_6 = (
-        g_e_0*g_e_4*g_e_8 - 1.0 + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 - g_e_0*g_e_5*g_e_7 -
-        g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6
-    )
+    off_2 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
+    off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7
+    off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6
+    off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4
     # drift: square of the distance from the group [1]
-    drift = (
-        off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 +
-        off_6*off_6
-    )
+    drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5
     # -- end --
     return (
         (drift,),

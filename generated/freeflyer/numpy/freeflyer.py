@@ -53,108 +53,124 @@ eta_dot_arm_0_0*g_e_0 + eta_dot_arm_0_1*g_e_4 + eta_dot_arm_0_2*g_e_8 - eta_2*nu
 eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 + eta_5*nu_e_0 + eta_dot_arm_0_0*g_e_1 +
 eta_dot_arm_0_1*g_e_5 + eta_dot_arm_0_2*g_e_9 - eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5',
 'eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 +
-eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10,
-'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and
-Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3',
-'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0 + g_e_0 - g_e_10 - g_e_5'],
-['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', '1.0 + g_e_5 -
-g_e_0 - g_e_10'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', '1.0 + g_e_10 - g_e_0
-- g_e_5'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_10 + g_e_5']], 'cases': []},
-{'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
-'column_3'], 'lines': [], 'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'],
-['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >=
-B_4.real) & (B_0.real >= B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
-['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4.real >= B_7.real', 'lines':
-[['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition':
-'', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3',
-'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1',
-'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
-B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
-['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0
-+ B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm', 'size': 1, 'unit':
-'1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-['norm'], 'lines': [['norm', 'np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2
-+ power_3*power_3)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit
-length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '',
+eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4,
+'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0 +
+g_e_0'], ['pairs_1', '1.0 - g_e_0'], ['pairs_2', 'g_e_10 + g_e_5'], ['pairs_3', 'g_e_5 - g_e_10']],
+'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows',
+'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
+'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0',
+'pairs_0 - pairs_2'], ['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'],
+['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', 'pairs_1 -
+pairs_3'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column',
+'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
+'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >= B_4.real) & (B_0.real >=
+B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+'B_3']]}, {'condition': 'B_4.real >= B_7.real', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
+['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4,
+'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0',
+'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 +
+B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
+B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
+B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of its
+vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'],
+'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']], 'cases': []}, {'name':
+'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'square +
+power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same:
+less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square.real < 49.0', 'lines':
+[['norm_bounded', '49.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]},
+{'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(norm_bounded)']],
+'cases': []}, {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
+[['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
+unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '',
 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3.real < 0.0',
-'lines': [['scale', '-1.0/norm']]}, {'condition': '', 'lines': [['scale', '1.0/norm']]}]}, {'name':
-'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True,
-'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []},
-{'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source':
-'', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines':
-[['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []},
-{'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar':
-True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k', '_k(w)']], 'cases': []}, {'name':
-'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['h'], 'lines': [['h', '_h(w)']], 'cases': []}, {'name': 'phi', 'size': 3,
-'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar': False, 'holder':
-'', 'member': '', 'names': ['phi_0', 'phi_1', 'phi_2'], 'lines': [['phi_0', '2.0*k*v_0'], ['phi_1',
-'2.0*k*v_1'], ['phi_2', '2.0*k*v_2']], 'cases': []}, {'name': 'half', 'size': 1, 'unit': '1', 'doc':
-'1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['half'], 'lines':
-[['half', '0.5/k']], 'cases': []}, {'name': 'swing_p', 'size': 3, 'unit': 'm', 'doc': 'Y p',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['swing_p_0', 'swing_p_1',
-'swing_p_2'], 'lines': [['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 -
-g_e_11*v_0'], ['swing_p_2', 'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name': 'sway_p', 'size': 3,
-'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines': [['sway_p_0', 'swing_p_2*v_1 - swing_p_1*v_2'],
-['sway_p_1', 'swing_p_0*v_2 - swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0 - swing_p_0*v_1']],
-'cases': []}, {'name': 'rho_p', 'size': 3, 'unit': 'm', 'doc': 'p - k Y p + h Y Y p', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['rho_p_0', 'rho_p_1', 'rho_p_2'], 'lines':
-[['rho_p_0', 'g_e_3 + h*sway_p_0 - k*swing_p_0'], ['rho_p_1', 'g_e_7 + h*sway_p_1 - k*swing_p_1'],
-['rho_p_2', 'g_e_11 + h*sway_p_2 - k*swing_p_2']], 'cases': []}, {'name': 'y_p', 'size': 3, 'unit':
-'m', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['y_p_0', 'y_p_1', 'y_p_2'], 'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1', 'half*rho_p_1'],
-['y_p_2', 'half*rho_p_2']], 'cases': []}, {'name': 'turn', 'size': 6, 'unit': 'rad/s, m/s', 'doc':
-'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['turn_0', 'turn_1', 'turn_2', 'turn_3', 'turn_4', 'turn_5'], 'lines': [['turn_0', 'nu_e_2*v_1 -
-nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'],
-['turn_3', 'nu_e_2*y_p_1 + nu_e_5*v_1 - nu_e_1*y_p_2 - nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 +
-nu_e_3*v_2 - nu_e_2*y_p_0 - nu_e_5*v_0'], ['turn_5', 'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 -
-nu_e_3*v_1']], 'cases': []}, {'name': 'bend', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1',
-'bend_2', 'bend_3', 'bend_4', 'bend_5'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1',
-'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1'], ['bend_3', 'turn_2*y_p_1 +
-turn_5*v_1 - turn_1*y_p_2 - turn_4*v_2'], ['bend_4', 'turn_0*y_p_2 + turn_3*v_2 - turn_2*y_p_0 -
-turn_5*v_0'], ['bend_5', 'turn_1*y_p_0 + turn_4*v_0 - turn_0*y_p_1 - turn_3*v_1']], 'cases': []},
-{'name': 'm', 'size': 1, 'unit': '1', 'doc': '-dh/dw', 'source': '', 'is_scalar': True, 'holder':
-'', 'member': '', 'names': ['m'], 'lines': [['m', '_m(w)']], 'cases': []}, {'name': 'along_p',
-'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-'', 'names': ['along_p'], 'lines': [['along_p', '-2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)']],
-'cases': []}, {'name': 'tail', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_3', 'tail_4',
-'tail_5'], 'lines': [['tail_3', 'along_p*bend_0'], ['tail_4', 'along_p*bend_1'], ['tail_5',
-'along_p*bend_2']], 'cases': []}, {'name': 'twofold', 'size': 1, 'unit': '1', 'doc': 'h^2 - k m/2,
-of the double root', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-['twofold'], 'lines': [['twofold', 'h*h - 0.5*k*m']], 'cases': []}, {'name': 'nu_u_dot', 'size': 6,
-'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4',
-'nu_u_dot_5'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 +
-bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2'], ['nu_u_dot_3', 'nu_e_3 +
-bend_3*h + k*turn_3 + tail_3*twofold'], ['nu_u_dot_4', 'nu_e_4 + bend_4*h + k*turn_4 +
-tail_4*twofold'], ['nu_u_dot_5', 'nu_e_5 + bend_5*h + k*turn_5 + tail_5*twofold']], 'cases': []},
-{'name': 'drive', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar':
-False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4',
-'drive_5'], 'lines': [['drive_0', 'phi_0*rate_gain'], ['drive_1', 'phi_1*rate_gain'], ['drive_2',
-'phi_2*rate_gain'], ['drive_3', 'rate_gain*rho_p_0'], ['drive_4', 'rate_gain*rho_p_1'], ['drive_5',
-'rate_gain*rho_p_2']], 'cases': []}, {'name': 's', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'sliding
-variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['s_0', 's_1', 's_2', 's_3', 's_4', 's_5'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1
-+ nu_e_1'], ['s_2', 'drive_2 + nu_e_2'], ['s_3', 'drive_3 + nu_e_3'], ['s_4', 'drive_4 + nu_e_4'],
-['s_5', 'drive_5 + nu_e_5']], 'cases': []}, {'name': 'wanted', 'size': 6, 'unit': 'rad/s^2, m/s^2',
-'doc': 'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-'names': ['wanted_0', 'wanted_1', 'wanted_2', 'wanted_3', 'wanted_4', 'wanted_5'], 'lines':
-[['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
-nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'], ['wanted_4',
-'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5', 'eta_dot_5 - nu_u_dot_5*rate_gain
-- reach_gain*s_5']], 'cases': []}, {'name': 'turning', 'size': 6, 'unit': 'rad/s, m/s', 'doc':
-'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['turning_0', 'turning_1', 'turning_2', 'turning_3', 'turning_4', 'turning_5'], 'lines':
-[['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 -
-eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4 - eta_4'], ['turning_5', 'drive_5
-- eta_5']], 'cases': []}, {'name': 'momentum', 'size': 6, 'unit': 'N m s, N s', 'doc': 'I nu',
+'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines': [['scale', 'inverse_norm']]}]},
+{'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle, rounded', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['cosine'], 'lines': [['cosine',
+'power_3*scale']], 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error
+angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [],
+'cases': [{'condition': 'cosine.real > 1.0', 'lines': [['w', '1.0']]}, {'condition': '', 'lines':
+[['w', 'cosine']]}]}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle
+times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0',
+'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2',
+'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its
+sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k',
+'_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'], 'lines': [['h', '_h(w)']], 'cases':
+[]}, {'name': 'phi', 'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['phi_0', 'phi_1', 'phi_2'], 'lines':
+[['phi_0', '2.0*k*v_0'], ['phi_1', '2.0*k*v_1'], ['phi_2', '2.0*k*v_2']], 'cases': []}, {'name':
+'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['half'], 'lines': [['half', '0.5/k']], 'cases': []}, {'name': 'swing_p',
+'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+'names': ['swing_p_0', 'swing_p_1', 'swing_p_2'], 'lines': [['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'],
+['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'], ['swing_p_2', 'g_e_7*v_0 - g_e_3*v_1']], 'cases': []},
+{'name': 'sway_p', 'size': 3, 'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines': [['sway_p_0',
+'swing_p_2*v_1 - swing_p_1*v_2'], ['sway_p_1', 'swing_p_0*v_2 - swing_p_2*v_0'], ['sway_p_2',
+'swing_p_1*v_0 - swing_p_0*v_1']], 'cases': []}, {'name': 'rho_p', 'size': 3, 'unit': 'm', 'doc': 'p
+- k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['rho_p_0', 'rho_p_1', 'rho_p_2'], 'lines': [['rho_p_0', 'g_e_3 + h*sway_p_0 - k*swing_p_0'],
+['rho_p_1', 'g_e_7 + h*sway_p_1 - k*swing_p_1'], ['rho_p_2', 'g_e_11 + h*sway_p_2 - k*swing_p_2']],
+'cases': []}, {'name': 'y_p', 'size': 3, 'unit': 'm', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar':
+False, 'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1', 'y_p_2'], 'lines': [['y_p_0',
+'half*rho_p_0'], ['y_p_1', 'half*rho_p_1'], ['y_p_2', 'half*rho_p_2']], 'cases': []}, {'name':
+'turn', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar':
+False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2', 'turn_3', 'turn_4',
+'turn_5'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'],
+['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'], ['turn_3', 'nu_e_2*y_p_1 + nu_e_5*v_1 - nu_e_1*y_p_2 -
+nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 + nu_e_3*v_2 - nu_e_2*y_p_0 - nu_e_5*v_0'], ['turn_5',
+'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 - nu_e_3*v_1']], 'cases': []}, {'name': 'bend', 'size': 6,
+'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+'', 'names': ['bend_0', 'bend_1', 'bend_2', 'bend_3', 'bend_4', 'bend_5'], 'lines': [['bend_0',
+'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 -
+turn_0*v_1'], ['bend_3', 'turn_2*y_p_1 + turn_5*v_1 - turn_1*y_p_2 - turn_4*v_2'], ['bend_4',
+'turn_0*y_p_2 + turn_3*v_2 - turn_2*y_p_0 - turn_5*v_0'], ['bend_5', 'turn_1*y_p_0 + turn_4*v_0 -
+turn_0*y_p_1 - turn_3*v_1']], 'cases': []}, {'name': 'm', 'size': 1, 'unit': '1', 'doc': '-dh/dw',
+'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['m'], 'lines': [['m',
+'_m(w)']], 'cases': []}, {'name': 'along_p', 'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['along_p'], 'lines': [['along_p',
+'-2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)']], 'cases': []}, {'name': 'tail', 'size': 6, 'unit':
+'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['tail_3', 'tail_4', 'tail_5'], 'lines': [['tail_3', 'along_p*bend_0'],
+['tail_4', 'along_p*bend_1'], ['tail_5', 'along_p*bend_2']], 'cases': []}, {'name': 'twofold',
+'size': 1, 'unit': '1', 'doc': 'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['twofold'], 'lines': [['twofold', 'h*h - 0.5*k*m']], 'cases':
+[]}, {'name': 'nu_u_dot', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u', 'source':
+'', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
+'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h
++ k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h +
+k*turn_2'], ['nu_u_dot_3', 'nu_e_3 + bend_3*h + k*turn_3 + tail_3*twofold'], ['nu_u_dot_4', 'nu_e_4
++ bend_4*h + k*turn_4 + tail_4*twofold'], ['nu_u_dot_5', 'nu_e_5 + bend_5*h + k*turn_5 +
+tail_5*twofold']], 'cases': []}, {'name': 'drive', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'lambda
+nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1',
+'drive_2', 'drive_3', 'drive_4', 'drive_5'], 'lines': [['drive_0', 'phi_0*rate_gain'], ['drive_1',
+'phi_1*rate_gain'], ['drive_2', 'phi_2*rate_gain'], ['drive_3', 'rate_gain*rho_p_0'], ['drive_4',
+'rate_gain*rho_p_1'], ['drive_5', 'rate_gain*rho_p_2']], 'cases': []}, {'name': 's', 'size': 6,
+'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5'], 'lines': [['s_0',
+'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2'], ['s_3', 'drive_3 +
+nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 + nu_e_5']], 'cases': []}, {'name':
+'wanted', 'size': 6, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration asked for', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2',
+'wanted_3', 'wanted_4', 'wanted_5'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
+reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2',
+'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain
+- reach_gain*s_3'], ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5',
+'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5']], 'cases': []}, {'name': 'turning', 'size': 6,
+'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2', 'turning_3',
+'turning_4', 'turning_5'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 - nu_1'],
+['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'], ['turning_4', 's_4 - nu_4'], ['turning_5',
+'s_5 - nu_5']], 'cases': []}, {'name': 'momentum', 'size': 6, 'unit': 'N m s, N s', 'doc': 'I nu',
 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1',
 'momentum_2', 'momentum_3', 'momentum_4', 'momentum_5'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
 inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 + inertia_5*nu_5'], ['momentum_1', 'inertia_1*nu_0
@@ -187,7 +203,7 @@ inertia_20*wanted_5 + inertia_5*wanted_0 + momentum_3*turning_1 - momentum_4*tur
 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3',
 'nu_u_dot_4', 'nu_u_dot_5']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from
 the cut locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
-'entries': ['w']}], 'operations': 490, 'temporaries': 126, 'symbol': 'tracking', 'is_public': False,
+'entries': ['w']}], 'operations': 486, 'temporaries': 135, 'symbol': 'tracking', 'is_public': False,
 'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
 'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes': ['command',
 'clearance']}, double precision, batched.
@@ -626,17 +642,22 @@ def _law(
         eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 +
         eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0
     )
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_10 + g_e_5
+    pairs_3 = g_e_5 - g_e_10
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_10 - g_e_5
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_4
     B_2 = g_e_2 + g_e_8
     B_3 = g_e_9 - g_e_6
-    B_4 = 1.0 + g_e_5 - g_e_0 - g_e_10
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_6 + g_e_9
     B_6 = g_e_2 - g_e_8
-    B_7 = 1.0 + g_e_10 - g_e_0 - g_e_5
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_4 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_10 + g_e_5
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -658,13 +679,25 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = power_3*scale
     # w: cos of half the error angle [1]
-    w = power_3*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # v: sin of half the error angle times its axis [1]
     v_0 = power_0*scale
     v_1 = power_1*scale
@@ -747,13 +780,13 @@ def _law(
     wanted_3 = eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3
     wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4
     wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
-    turning_3 = drive_3 - eta_3
-    turning_4 = drive_4 - eta_4
-    turning_5 = drive_5 - eta_5
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
+    turning_3 = s_3 - nu_3
+    turning_4 = s_4 - nu_4
+    turning_5 = s_5 - nu_5
     # momentum: I nu [N m s, N s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 + inertia_5*nu_5
     momentum_1 = inertia_1*nu_0 + inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2 + inertia_8*nu_3
@@ -820,17 +853,22 @@ def _reaching(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11]
     )
     nu_0, nu_1, nu_2, nu_3, nu_4, nu_5 = nu[0], nu[1], nu[2], nu[3], nu[4], nu[5]
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_0
+    pairs_1 = 1.0 - g_0
+    pairs_2 = g_10 + g_5
+    pairs_3 = g_5 - g_10
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 - g_10 - g_5
+    B_0 = pairs_0 - pairs_2
     B_1 = g_1 + g_4
     B_2 = g_2 + g_8
     B_3 = g_9 - g_6
-    B_4 = 1.0 + g_5 - g_0 - g_10
+    B_4 = pairs_1 + pairs_3
     B_5 = g_6 + g_9
     B_6 = g_2 - g_8
-    B_7 = 1.0 + g_10 - g_0 - g_5
+    B_7 = pairs_1 - pairs_3
     B_8 = g_4 - g_1
-    B_9 = 1.0 + g_0 + g_10 + g_5
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -852,13 +890,25 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = power_3*scale
     # w: cos of half the error angle [1]
-    w = power_3*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # v: sin of half the error angle times its axis [1]
     v_0 = power_0*scale
     v_1 = power_1*scale
@@ -1117,7 +1167,7 @@ def _definiteness(
         inertia[8], inertia[10], inertia[11], inertia[12], inertia[13], inertia[15], inertia[18],
         inertia[20]
     )
-    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -1130,7 +1180,7 @@ def _definiteness(
     lower_50 = inertia_5/divisor_0
     # pivot_1: pivot of I [kg m^2, kg m, kg]
     pivot_1 = inertia_6 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
@@ -1143,7 +1193,7 @@ def _definiteness(
     lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21
-    # divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_2_if_0 = pivot_2.real > 0.0
     divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_32: I = L D L^T, entry of L [1]
@@ -1154,7 +1204,7 @@ def _definiteness(
     lower_52 = (-(inertia_0*lower_20*lower_50 + lower_21*lower_51*pivot_1))/divisor_2
     # pivot_3: pivot of I [kg m^2, kg m, kg]
     pivot_3 = inertia_15 - pivot_1*lower_31*lower_31 - pivot_2*lower_32*lower_32
-    # divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_3_if_0 = pivot_3.real > 0.0
     divisor_3 = np.where(divisor_3_if_0, pivot_3, 1.0)
     # lower_43: I = L D L^T, entry of L [1]
@@ -1166,7 +1216,7 @@ def _definiteness(
         inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43
     )
-    # divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_4_if_0 = pivot_4.real > 0.0
     divisor_4 = np.where(divisor_4_if_0, pivot_4, 1.0)
     # lower_54: I = L D L^T, entry of L [1]
@@ -1234,21 +1284,17 @@ def _drift(
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8
     off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9
-    off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6
-    off_3 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
-    off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6
-    off_5 = g_e_10*g_e_10 - 1.0 + g_e_2*g_e_2 + g_e_6*g_e_6
-    off_6 = (
-        g_e_0*g_e_10*g_e_5 - 1.0 + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 - g_e_0*g_e_6*g_e_9 -
-        g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8
-    )
-    off_10 = g_15 - 1.0
-    off_14 = g_r_15 - 1.0
+    off_2 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
+    off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9
+    off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8
+    off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5
+    off_9 = g_15 - 1.0
+    off_13 = g_r_15 - 1.0
     # drift: square of the distance from the group [1]
     drift = (
         g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 + g_r_14*g_r_14 +
-        off_0*off_0 + off_1*off_1 + off_10*off_10 + off_14*off_14 + off_2*off_2 + off_3*off_3 +
-        off_4*off_4 + off_5*off_5 + off_6*off_6
+        off_0*off_0 + off_1*off_1 + off_13*off_13 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
+        off_5*off_5 + off_9*off_9
     )
     # -- end --
     return (

@@ -38,36 +38,51 @@ g_e_5*nu_r_dot_0'], ['eta_dot_arm_0_1', 'nu_r_dot_2 + g_e_2*nu_r_dot_0']], 'case
 'cases': []}, {'name': 'twice', 'size': 2, 'unit': '1', 'doc': '2 cos and 2 sin of the angle',
 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['twice_0', 'twice_1'],
 'lines': [['twice_0', 'g_e_0 + g_e_4'], ['twice_1', 'g_e_3 - g_e_1']], 'cases': []}, {'name':
-'norm', 'size': 1, 'unit': '1', 'doc': 'their length', 'source': '', 'is_scalar': True, 'holder':
-'', 'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(1.0e-290 + twice_0*twice_0 +
-twice_1*twice_1)']], 'cases': []}, {'name': 'column', 'size': 2, 'unit': '1', 'doc': 'cos >= 0 and
-sin of half the angle, unscaled', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+'norm_square', 'size': 1, 'unit': '1', 'doc': 'their squared length', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square',
+'twice_0*twice_0 + twice_1*twice_1']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit':
+'1', 'doc': 'the same: less is no turn', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square.real < 3.0',
+'lines': [['norm_bounded', '3.0']]}, {'condition': '', 'lines': [['norm_bounded',
+'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'their length', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
+'np.sqrt(norm_bounded)']], 'cases': []}, {'name': 'column', 'size': 2, 'unit': '1', 'doc': 'cos >= 0
+and sin of half the angle, unscaled', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
 'names': ['column_0', 'column_1'], 'lines': [], 'cases': [{'condition': 'twice_0.real >= 0.0',
 'lines': [['column_0', 'norm + twice_0'], ['column_1', 'twice_1']]}, {'condition': 'twice_1.real >=
 0.0', 'lines': [['column_0', 'twice_1'], ['column_1', 'norm - twice_0']]}, {'condition': '',
-'lines': [['column_0', '-twice_1'], ['column_1', 'twice_0 - norm']]}]}, {'name': 'scale', 'size': 1,
-'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['scale'], 'lines': [['scale', '1.0/np.sqrt(1.0e-290 + column_0*column_0 +
-column_1*column_1)']], 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the
+'lines': [['column_0', '-twice_1'], ['column_1', 'twice_0 - norm']]}]}, {'name': 'column_square',
+'size': 1, 'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['column_square'], 'lines': [['column_square', 'column_0*column_0 +
+column_1*column_1']], 'cases': []}, {'name': 'column_bounded', 'size': 1, 'unit': '1', 'doc': 'the
+same', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['column_bounded'],
+'lines': [], 'cases': [{'condition': 'column_square.real < 3.0', 'lines': [['column_bounded',
+'3.0']]}, {'condition': '', 'lines': [['column_bounded', 'column_square']]}]}, {'name': 'scale',
+'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['scale'], 'lines': [['scale', '1.0/np.sqrt(column_bounded)']], 'cases': []},
+{'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle, rounded', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['cosine'], 'lines': [['cosine',
+'column_0*scale']], 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the
 error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines':
-[['w', 'column_0*scale']], 'cases': []}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': 'sin of
-half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-['sine'], 'lines': [['sine', 'column_1*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1',
-'doc': 'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['k'], 'lines': [['k', '_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1',
-'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'],
-'lines': [['h', '_h(w)']], 'cases': []}, {'name': 'phi', 'size': 1, 'unit': 'rad', 'doc': 'rotation
-vector of the error', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['phi_0'], 'lines': [['phi_0', '2.0*k*sine']], 'cases': []}, {'name': 'half', 'size': 1, 'unit':
-'1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-['half'], 'lines': [['half', '0.5/k']], 'cases': []}, {'name': 'turned_p', 'size': 2, 'unit': 'm',
-'doc': 'p turned back by half the angle', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-'', 'names': ['turned_p_0', 'turned_p_1'], 'lines': [['turned_p_0', 'g_e_2*w + g_e_5*sine'],
-['turned_p_1', 'g_e_5*w - g_e_2*sine']], 'cases': []}, {'name': 'rho_p', 'size': 2, 'unit': 'm',
-'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['rho_p_0', 'rho_p_1'], 'lines': [['rho_p_0', 'k*turned_p_0'], ['rho_p_1', 'k*turned_p_1']],
-'cases': []}, {'name': 'y_p', 'size': 2, 'unit': 'm', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar':
-False, 'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1'], 'lines': [['y_p_0', 'half*rho_p_0'],
+[], 'cases': [{'condition': 'cosine.real > 1.0', 'lines': [['w', '1.0']]}, {'condition': '',
+'lines': [['w', 'cosine']]}]}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': 'sin of half the
+error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'],
+'lines': [['sine', 'column_1*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc':
+'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['k'], 'lines': [['k', '_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc':
+'-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'], 'lines':
+[['h', '_h(w)']], 'cases': []}, {'name': 'phi', 'size': 1, 'unit': 'rad', 'doc': 'rotation vector of
+the error', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['phi_0'],
+'lines': [['phi_0', '2.0*k*sine']], 'cases': []}, {'name': 'half', 'size': 1, 'unit': '1', 'doc':
+'1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['half'], 'lines':
+[['half', '0.5/k']], 'cases': []}, {'name': 'turned_p', 'size': 2, 'unit': 'm', 'doc': 'p turned
+back by half the angle', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['turned_p_0', 'turned_p_1'], 'lines': [['turned_p_0', 'g_e_2*w + g_e_5*sine'], ['turned_p_1',
+'g_e_5*w - g_e_2*sine']], 'cases': []}, {'name': 'rho_p', 'size': 2, 'unit': 'm', 'doc': 'p - k Y p
++ h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['rho_p_0',
+'rho_p_1'], 'lines': [['rho_p_0', 'k*turned_p_0'], ['rho_p_1', 'k*turned_p_1']], 'cases': []},
+{'name': 'y_p', 'size': 2, 'unit': 'm', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1'], 'lines': [['y_p_0', 'half*rho_p_0'],
 ['y_p_1', 'half*rho_p_1']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s, m/s', 'doc':
 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
 ['turn_1', 'turn_2'], 'lines': [['turn_1', 'nu_e_0*y_p_1 - nu_e_2*sine'], ['turn_2', 'nu_e_1*sine -
@@ -88,9 +103,9 @@ for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['w
 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'nu_r_dot_0 - nu_e_0*rate_gain - reach_gain*s_0'],
 ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
 nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit':
-'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-'', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - nu_r_0'],
-['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
+nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
 'momentum', 'size': 3, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False,
 'holder': '', 'member': '', 'names': ['momentum_1', 'momentum_2'], 'lines': [['momentum_1',
 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0 + inertia_5*nu_2']], 'cases': []}, {'name':
@@ -109,7 +124,7 @@ False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'
 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_e_0', 'nu_u_dot_1', 'nu_u_dot_2']},
 {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the law',
 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries': ['w']}],
-'operations': 120, 'temporaries': 52, 'symbol': 'tracking', 'is_public': False, 'holders':
+'operations': 118, 'temporaries': 57, 'symbol': 'tracking', 'is_public': False, 'holders':
 ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference':
 True, 'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
 precision, batched.
@@ -455,17 +470,30 @@ def _law(
     # twice: 2 cos and 2 sin of the angle [1]
     twice_0 = g_e_0 + g_e_4
     twice_1 = g_e_3 - g_e_1
+    # norm_square: their squared length [1]
+    norm_square = twice_0*twice_0 + twice_1*twice_1
+    # norm_bounded: the same: less is no turn [1]
+    norm_bounded_if_0 = norm_square.real < 3.0
+    norm_bounded = np.where(norm_bounded_if_0, 3.0, norm_square)
     # norm: their length [1]
-    norm = np.sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1)
+    norm = np.sqrt(norm_bounded)
     # column: cos >= 0 and sin of half the angle, unscaled [1]
     column_if_0 = twice_0.real >= 0.0
     column_if_1 = twice_1.real >= 0.0
     column_0 = np.where(column_if_0, norm + twice_0, np.where(column_if_1, twice_1, -twice_1))
     column_1 = np.where(column_if_0, twice_1, np.where(column_if_1, norm - twice_0, twice_0 - norm))
+    # column_square: squared length [1]
+    column_square = column_0*column_0 + column_1*column_1
+    # column_bounded: the same [1]
+    column_bounded_if_0 = column_square.real < 3.0
+    column_bounded = np.where(column_bounded_if_0, 3.0, column_square)
     # scale: to unit length [1]
-    scale = 1.0/np.sqrt(1.0e-290 + column_0*column_0 + column_1*column_1)
+    scale = 1.0/np.sqrt(column_bounded)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = column_0*scale
     # w: cos of half the error angle [1]
-    w = column_0*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # sine: sin of half the error angle [1]
     sine = column_1*scale
     # k: half angle over its sine [1]
@@ -506,10 +534,10 @@ def _law(
     wanted_0 = nu_r_dot_0 - nu_e_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - nu_r_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [N m s, N s]
     momentum_1 = inertia_3*nu_1
     momentum_2 = inertia_2*nu_0 + inertia_5*nu_2
@@ -540,17 +568,30 @@ def _reaching(
     # twice: 2 cos and 2 sin of the angle [1]
     twice_0 = g_0 + g_4
     twice_1 = g_3 - g_1
+    # norm_square: their squared length [1]
+    norm_square = twice_0*twice_0 + twice_1*twice_1
+    # norm_bounded: the same: less is no turn [1]
+    norm_bounded_if_0 = norm_square.real < 3.0
+    norm_bounded = np.where(norm_bounded_if_0, 3.0, norm_square)
     # norm: their length [1]
-    norm = np.sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1)
+    norm = np.sqrt(norm_bounded)
     # column: cos >= 0 and sin of half the angle, unscaled [1]
     column_if_0 = twice_0.real >= 0.0
     column_if_1 = twice_1.real >= 0.0
     column_0 = np.where(column_if_0, norm + twice_0, np.where(column_if_1, twice_1, -twice_1))
     column_1 = np.where(column_if_0, twice_1, np.where(column_if_1, norm - twice_0, twice_0 - norm))
+    # column_square: squared length [1]
+    column_square = column_0*column_0 + column_1*column_1
+    # column_bounded: the same [1]
+    column_bounded_if_0 = column_square.real < 3.0
+    column_bounded = np.where(column_bounded_if_0, 3.0, column_square)
     # scale: to unit length [1]
-    scale = 1.0/np.sqrt(1.0e-290 + column_0*column_0 + column_1*column_1)
+    scale = 1.0/np.sqrt(column_bounded)
+    # cosine: cos of half the error angle, rounded [1]
+    cosine = column_0*scale
     # w: cos of half the error angle [1]
-    w = column_0*scale
+    w_if_0 = cosine.real > 1.0
+    w = np.where(w_if_0, 1.0, cosine)
     # sine: sin of half the error angle [1]
     sine = column_1*scale
     # k: half angle over its sine [1]
@@ -646,7 +687,7 @@ def _definiteness(
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
     inertia_0, inertia_2, inertia_3, inertia_5 = inertia[0], inertia[2], inertia[3], inertia[5]
-    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
@@ -692,15 +733,14 @@ def _drift(
     g_r_6, g_r_7, g_r_8 = g_r[6], g_r[7], g_r[8]
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3
-    off_1 = g_e_0*g_e_1 + g_e_3*g_e_4
-    off_2 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4
-    off_3 = g_e_0*g_e_4 - 1.0 - g_e_1*g_e_3
-    off_6 = g_8 - 1.0
-    off_9 = g_r_8 - 1.0
+    off_1 = g_e_1 + g_e_3
+    off_2 = g_e_4 - g_e_0
+    off_5 = g_8 - 1.0
+    off_8 = g_r_8 - 1.0
     # drift: square of the distance from the group [1]
     drift = (
         g_6*g_6 + g_7*g_7 + g_r_6*g_r_6 + g_r_7*g_r_7 + off_0*off_0 + off_1*off_1 + off_2*off_2 +
-        off_3*off_3 + off_6*off_6 + off_9*off_9
+        off_5*off_5 + off_8*off_8
     )
     # -- end --
     return (

@@ -17,15 +17,18 @@ rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_do
 [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument': 'nu_r_dot', 'shape': (3,)},
 {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)',
 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2',
-2], ['g_e_3', 3]], 'argument': 'g_e', 'shape': (4,)}], 'steps': [{'name': 'to_body', 'size': 9,
+2], ['g_e_3', 3]], 'argument': 'g_e', 'shape': (4,)}], 'steps': [{'name': 'double', 'size': 3,
+'unit': '1', 'doc': 'twice the vector part', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['double_0', 'double_1', 'double_2'], 'lines': [['double_0', '2.0*g_e_1'],
+['double_1', '2.0*g_e_2'], ['double_2', '2.0*g_e_3']], 'cases': []}, {'name': 'to_body', 'size': 9,
 'unit': '1', 'doc': 'Ad of g_e^-1: reference to body frame', 'source': '', 'is_scalar': False,
 'holder': '', 'member': '', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3',
 'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', '1.0 -
-2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3'], ['to_body_1', '2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2',
-'2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)'], ['to_body_4',
-'1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5', '2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)'],
-['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7', '2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)'],
-['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3,
+double_1*g_e_2 - double_2*g_e_3'], ['to_body_1', 'double_0*g_e_2 + double_2*g_e_0'], ['to_body_2',
+'double_0*g_e_3 - double_1*g_e_0'], ['to_body_3', 'double_0*g_e_2 - double_2*g_e_0'], ['to_body_4',
+'1.0 - double_0*g_e_1 - double_2*g_e_3'], ['to_body_5', 'double_0*g_e_0 + double_1*g_e_3'],
+['to_body_6', 'double_0*g_e_3 + double_1*g_e_0'], ['to_body_7', 'double_1*g_e_3 - double_0*g_e_0'],
+['to_body_8', '1.0 - double_0*g_e_1 - double_1*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3,
 'unit': 'rad/s', 'doc': 'reference velocity in the body frame', 'source': 'eq. (velErr)',
 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines':
 [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 +
@@ -39,62 +42,71 @@ error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': ''
 nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1',
 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
 ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
-eta_1*nu_e_0']], 'cases': []}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'length of the
-quaternion', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'],
-'lines': [['norm', 'np.sqrt(1.0e-290 + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3)']],
+eta_1*nu_e_0']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of its
+vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'],
+'lines': [['square', 'g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []}, {'name':
+'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'square +
+g_e_0*g_e_0']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same:
+less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square.real < 1.0e-8.real', 'lines':
+[['norm_bounded', '1.0e-8']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]},
+{'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(norm_bounded)']],
 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [['scale', '1.0/norm']],
 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source':
 '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'g_e_0*scale']],
-'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its
-axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'],
-'lines': [['v_0', 'g_e_1*scale'], ['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'cases': []},
-{'name': 'k_near', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, for |w|', 'source': '',
-'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_near'], 'lines': [['k_near',
-'_k(np.where(w.real < 0.0, -w, w))']], 'cases': []}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc':
-'|v|', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'], 'lines':
-[['sine', 'np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)']], 'cases': []}, {'name': 'k', 'size': 1, 'unit':
-'1', 'doc': 'half angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['k'], 'lines': [], 'cases': [{'condition': 'w.real >= 0.0', 'lines': [['k',
-'k_near']]}, {'condition': 'sine.real > 1.0e-60.real', 'lines': [['k', '3.141592653589793/(sine +
-1.0e-290) - k_near']]}, {'condition': '', 'lines': [['k', '0.0']]}]}, {'name': 'h', 'size': 1,
-'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['h'], 'lines': [['h', '(1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 +
-v_2*v_2)']], 'cases': []}, {'name': 'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i',
+'cases': []}, {'name': 'k_near', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, for |w|',
+'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_near'], 'lines':
+[['k_near', '_k(np.where(w.real < 0.0, -w, w))']], 'cases': []}, {'name': 'divisor', 'size': 1,
+'unit': '1', 'doc': 'the same, never zero', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['divisor'], 'lines': [], 'cases': [{'condition': 'w.real >= 0.0', 'lines':
+[['divisor', 'square + 1.0e-17']]}, {'condition': 'square.real > (1.0e-60*1.0e-60).real', 'lines':
+[['divisor', 'square']]}, {'condition': '', 'lines': [['divisor', '1.0e-60*1.0e-60']]}]}, {'name':
+'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i: |v| beyond pi, and 1 before',
 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['distance'], 'lines': [],
-'cases': [{'condition': 'w.real < 0.0', 'lines': [['distance', 'np.sqrt(v_0*v_0 + v_1*v_1 +
-v_2*v_2)']]}, {'condition': '', 'lines': [['distance', '1.0']]}]}, {'name': 'p', 'size': 1, 'unit':
-'1', 'doc': 'half of nu_u over v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'drop', 'size': 1, 'unit': '1',
-'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['drop'],
-'lines': [['drop', '0.5*h']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
+'cases': [{'condition': 'w.real >= 0.0', 'lines': [['distance', '1.0']]}, {'condition': '', 'lines':
+[['distance', 'scale*np.sqrt(divisor)']]}]}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['k'], 'lines': [], 'cases': [{'condition': 'w.real >= 0.0', 'lines': [['k', 'k_near']]},
+{'condition': '', 'lines': [['k', '3.141592653589793/distance - k_near']]}]}, {'name': 'h_raw',
+'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k", 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_raw'], 'lines': [['h_raw', '(1.0 -
+k*w)/divisor']], 'cases': []}, {'name': 'reach', 'size': 1, 'unit': '1', 'doc': 'p by the scale, but
+for a number', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['reach'],
+'lines': [['reach', 'k*scale']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
 'kinematic law, half the rotation vector', 'source': 'eq. (KinCtrlLawS3)', 'is_scalar': False,
 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
-'2.0*p*v_0'], ['nu_u_1', '2.0*p*v_1'], ['nu_u_2', '2.0*p*v_2']], 'cases': []}, {'name': 'turn',
-'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'nu_e_2*v_1 -
-nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']],
-'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines':
-[['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2',
-'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc':
-'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5*nu_e_0 + bend_0*drop +
-p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*drop + p*turn_1'], ['nu_u_dot_2', '0.5*nu_e_2 +
-bend_2*drop + p*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
-'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0',
-'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'],
-['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
-'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '',
-'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
-['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc':
-'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
-reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2',
-'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3,
-'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 -
-eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+'g_e_1*reach'], ['nu_u_1', 'g_e_2*reach'], ['nu_u_2', 'g_e_3*reach']], 'cases': []}, {'name':
+'part', 'size': 3, 'unit': 'rad/s', 'doc': 'what the law has of nu_e at the identity', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['part_0', 'part_1', 'part_2'], 'lines':
+[['part_0', '0.5*nu_e_0'], ['part_1', '0.5*nu_e_1'], ['part_2', '0.5*nu_e_2']], 'cases': []},
+{'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x nu_e, its share', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines':
+[['turn_0', 'g_e_2*part_2 - g_e_3*part_1'], ['turn_1', 'g_e_3*part_0 - g_e_1*part_2'], ['turn_2',
+'g_e_1*part_1 - g_e_2*part_0']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc':
+'vector part x that', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'g_e_2*turn_2 - g_e_3*turn_1'], ['bend_1',
+'g_e_3*turn_0 - g_e_1*turn_2'], ['bend_2', 'g_e_1*turn_1 - g_e_2*turn_0']], 'cases': []}, {'name':
+'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar':
+False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines':
+[['nu_u_dot_0', 'part_0 + bend_0*h_raw + reach*turn_0'], ['nu_u_dot_1', 'part_1 + bend_1*h_raw +
+reach*turn_1'], ['nu_u_dot_2', 'part_2 + bend_2*h_raw + reach*turn_2']], 'cases': []}, {'name':
+'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0',
+'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases':
+[]}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq.
+(SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'],
+'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']],
+'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1',
+'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'],
+['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
+nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit':
+'rad/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
+nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder':
 '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1
@@ -115,7 +127,7 @@ momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0',
 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from
 the cut locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
-'entries': ['distance']}], 'operations': 219, 'temporaries': 61, 'symbol': 'tracking', 'is_public':
+'entries': ['distance']}], 'operations': 190, 'temporaries': 66, 'symbol': 'tracking', 'is_public':
 False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
 'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes': ['command',
 'clearance']}, double precision, batched.
@@ -408,16 +420,20 @@ def _law(
     g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2
     g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3
     g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1
+    # double: twice the vector part [1]
+    double_0 = 2.0*g_e_1
+    double_1 = 2.0*g_e_2
+    double_2 = 2.0*g_e_3
     # to_body: Ad of g_e^-1: reference to body frame [1]
-    to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3
-    to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)
-    to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)
-    to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)
-    to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3
-    to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)
-    to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)
-    to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)
-    to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2
+    to_body_0 = 1.0 - double_1*g_e_2 - double_2*g_e_3
+    to_body_1 = double_0*g_e_2 + double_2*g_e_0
+    to_body_2 = double_0*g_e_3 - double_1*g_e_0
+    to_body_3 = double_0*g_e_2 - double_2*g_e_0
+    to_body_4 = 1.0 - double_0*g_e_1 - double_2*g_e_3
+    to_body_5 = double_0*g_e_0 + double_1*g_e_3
+    to_body_6 = double_0*g_e_3 + double_1*g_e_0
+    to_body_7 = double_1*g_e_3 - double_0*g_e_0
+    to_body_8 = 1.0 - double_0*g_e_1 - double_1*g_e_2
     # eta: reference velocity in the body frame [rad/s], eq. (velErr)
     eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2
     eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5
@@ -439,52 +455,57 @@ def _law(
         eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
         eta_1*nu_e_0
     )
-    # norm: length of the quaternion [1]
-    norm = np.sqrt(1.0e-290 + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3)
+    # square: square of its vector part [1]
+    square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # norm_square: its squared length [1]
+    norm_square = square + g_e_0*g_e_0
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
+    # norm: its length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
     w = g_e_0*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = g_e_1*scale
-    v_1 = g_e_2*scale
-    v_2 = g_e_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
-    # sine: |v| [1]
-    sine = np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)
+    # divisor: the same, never zero [1]
+    divisor_if_0 = w.real >= 0.0
+    divisor_if_1 = square.real > (1.0e-60*1.0e-60).real
+    divisor = (
+        np.where(divisor_if_0, square + 1.0e-17, np.where(divisor_if_1, square, 1.0e-60*1.0e-60))
+    )
+    # distance: distance from -i: |v| beyond pi, and 1 before [1]
+    distance_if_0 = w.real >= 0.0
+    distance = np.where(distance_if_0, 1.0, scale*np.sqrt(divisor))
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k_if_1 = sine.real > 1.0e-60.real
-    k = (
-        np.where(k_if_0, k_near, np.where(k_if_1, 3.141592653589793/(sine + 1.0e-290) - k_near,
-        0.0))
-    )
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
-    # distance: distance from -i [1]
-    distance_if_0 = w.real < 0.0
-    distance = np.where(distance_if_0, np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2), 1.0)
-    # p: half of nu_u over v [1]
-    p = 0.5*k
-    # drop: -dp/dw [1]
-    drop = 0.5*h
+    k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/divisor
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
     # nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3)
-    nu_u_0 = 2.0*p*v_0
-    nu_u_1 = 2.0*p*v_1
-    nu_u_2 = 2.0*p*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_e_2*v_1 - nu_e_1*v_2
-    turn_1 = nu_e_0*v_2 - nu_e_2*v_0
-    turn_2 = nu_e_1*v_0 - nu_e_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = g_e_1*reach
+    nu_u_1 = g_e_2*reach
+    nu_u_2 = g_e_3*reach
+    # part: what the law has of nu_e at the identity [rad/s]
+    part_0 = 0.5*nu_e_0
+    part_1 = 0.5*nu_e_1
+    part_2 = 0.5*nu_e_2
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = g_e_2*part_2 - g_e_3*part_1
+    turn_1 = g_e_3*part_0 - g_e_1*part_2
+    turn_2 = g_e_1*part_1 - g_e_2*part_0
+    # bend: vector part x that [rad/s]
+    bend_0 = g_e_2*turn_2 - g_e_3*turn_1
+    bend_1 = g_e_3*turn_0 - g_e_1*turn_2
+    bend_2 = g_e_1*turn_1 - g_e_2*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = 0.5*nu_e_0 + bend_0*drop + p*turn_0
-    nu_u_dot_1 = 0.5*nu_e_1 + bend_1*drop + p*turn_1
-    nu_u_dot_2 = 0.5*nu_e_2 + bend_2*drop + p*turn_2
+    nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -497,10 +518,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [N m s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2
     momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2
@@ -540,49 +561,57 @@ def _reaching(
     reach_gain = k_s[0]
     g_0, g_1, g_2, g_3 = g[0], g[1], g[2], g[3]
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
-    # norm: length of the quaternion [1]
-    norm = np.sqrt(1.0e-290 + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3)
+    # square: square of its vector part [1]
+    square = g_1*g_1 + g_2*g_2 + g_3*g_3
+    # norm_square: its squared length [1]
+    norm_square = square + g_0*g_0
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
+    # norm: its length [1]
+    norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
     w = g_0*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = g_1*scale
-    v_1 = g_2*scale
-    v_2 = g_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
-    # sine: |v| [1]
-    sine = np.sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)
+    # divisor: the same, never zero [1]
+    divisor_if_0 = w.real >= 0.0
+    divisor_if_1 = square.real > (1.0e-60*1.0e-60).real
+    divisor = (
+        np.where(divisor_if_0, square + 1.0e-17, np.where(divisor_if_1, square, 1.0e-60*1.0e-60))
+    )
+    # distance: distance from -i: |v| beyond pi, and 1 before [1]
+    distance_if_0 = w.real >= 0.0
+    distance = np.where(distance_if_0, 1.0, scale*np.sqrt(divisor))
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k_if_1 = sine.real > 1.0e-60.real
-    k = (
-        np.where(k_if_0, k_near, np.where(k_if_1, 3.141592653589793/(sine + 1.0e-290) - k_near,
-        0.0))
-    )
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)
-    # p: half of nu_u over v [1]
-    p = 0.5*k
-    # drop: -dp/dw [1]
-    drop = 0.5*h
+    k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/divisor
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
     # nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3)
-    nu_u_0 = 2.0*p*v_0
-    nu_u_1 = 2.0*p*v_1
-    nu_u_2 = 2.0*p*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_2*v_1 - nu_1*v_2
-    turn_1 = nu_0*v_2 - nu_2*v_0
-    turn_2 = nu_1*v_0 - nu_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = g_1*reach
+    nu_u_1 = g_2*reach
+    nu_u_2 = g_3*reach
+    # part: what the law has of nu_e at the identity [rad/s]
+    part_0 = 0.5*nu_0
+    part_1 = 0.5*nu_1
+    part_2 = 0.5*nu_2
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = g_2*part_2 - g_3*part_1
+    turn_1 = g_3*part_0 - g_1*part_2
+    turn_2 = g_1*part_1 - g_2*part_0
+    # bend: vector part x that [rad/s]
+    bend_0 = g_2*turn_2 - g_3*turn_1
+    bend_1 = g_3*turn_0 - g_1*turn_2
+    bend_2 = g_1*turn_1 - g_2*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = 0.5*nu_0 + bend_0*drop + p*turn_0
-    nu_u_dot_1 = 0.5*nu_1 + bend_1*drop + p*turn_1
-    nu_u_dot_2 = 0.5*nu_2 + bend_2*drop + p*turn_2
+    nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -673,7 +702,7 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
-    # divisor_0: the pivot, or 1 where it is not positive [kg m^2]
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -682,7 +711,7 @@ def _definiteness(
     lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [kg m^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is not positive [kg m^2]
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]

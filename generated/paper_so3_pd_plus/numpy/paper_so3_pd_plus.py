@@ -29,14 +29,17 @@ g_e_8*nu_r_2']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc
 the body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['given_0',
 'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 +
 g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
-['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []}, {'name': 'B',
-'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley
-and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2',
-'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0 + g_e_0 - g_e_4 - g_e_8'],
-['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0 + g_e_4 -
-g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0 + g_e_8 - g_e_0 -
-g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name':
-'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
+['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []}, {'name':
+'pairs', 'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar':
+False, 'holder': '', 'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines':
+[['pairs_0', '1.0 + g_e_0'], ['pairs_1', '1.0 - g_e_0'], ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3',
+'g_e_4 - g_e_8']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w),
+by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'],
+'lines': [['B_0', 'pairs_0 - pairs_2'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3',
+'g_e_7 - g_e_5'], ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'],
+['B_7', 'pairs_1 - pairs_3'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []},
+{'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'],
 ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >=
@@ -49,44 +52,55 @@ B_4.real) & (B_0.real >= B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1',
 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
 B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
 ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0
-+ B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm', 'size': 1, 'unit':
-'1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-['norm'], 'lines': [['norm', 'np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2
-+ power_3*power_3)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit
-length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3.real < 0.0',
-'lines': [['scale', '-1.0/norm']]}, {'condition': '', 'lines': [['scale', '1.0/norm']]}]}, {'name':
-'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True,
-'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []},
-{'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source':
-'', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines':
-[['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []},
-{'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source': '', 'is_scalar': True,
-'holder': '', 'member': '', 'names': ['ratio'], 'lines': [['ratio', 'k_R/k_Omega']], 'cases': []},
-{'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (s3)',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0',
-'nu_e_0 + ratio*v_0'], ['s_1', 'nu_e_1 + ratio*v_1'], ['s_2', 'nu_e_2 + ratio*v_2']], 'cases': []},
-{'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar': False,
-'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines':
-[['momentum_0', 'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1',
-'eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 +
-eta_1*inertia_4 + eta_2*inertia_5']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m',
-'doc': 'control force', 'source': 'eq. (Ctrls3)', 'is_scalar': False, 'holder': '', 'member': '',
-'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'eta_1*momentum_2 +
-given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2 - eta_2*momentum_1 - k_Omega*s_0'],
-['force_1', 'eta_2*momentum_0 + given_0*inertia_1 + given_1*inertia_3 + given_2*inertia_4 -
-eta_0*momentum_2 - k_Omega*s_1'], ['force_2', 'eta_0*momentum_1 + given_0*inertia_2 +
-given_1*inertia_4 + given_2*inertia_5 - eta_1*momentum_0 - k_Omega*s_2']], 'cases': []}], 'outputs':
-[{'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar':
-False, 'holder': 'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']},
-{'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar':
-False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u',
-'size': 3, 'unit': 'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder':
-'command', 'member': 'nu_u', 'entries': ['v_0', 'v_1', 'v_2']}, {'name': 'clearance', 'size': 1,
-'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True,
-'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 148, 'temporaries': 43,
-'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments':
-['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
++ B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit':
+'1', 'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 +
+power_2*power_2']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its
+squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_square'], 'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name':
+'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases':
+[{'condition': 'norm_square.real < 49.0', 'lines': [['norm_bounded', '49.0']]}, {'condition': '',
+'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its
+length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines':
+[['norm', 'np.sqrt(norm_bounded)']], 'cases': []}, {'name': 'inverse_norm', 'size': 1, 'unit': '1',
+'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['inverse_norm'], 'lines': [['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size':
+1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases':
+[{'condition': 'power_3.real < 0.0', 'lines': [['scale', '-inverse_norm']]}, {'condition': '',
+'lines': [['scale', 'inverse_norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half
+the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
+'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
+'attitude error, sin(angle/2) axis', 'source': 'eq. (s3)', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', 'power_0*scale'],
+['nu_u_1', 'power_1*scale'], ['nu_u_2', 'power_2*scale']], 'cases': []}, {'name': 'ratio', 'size':
+1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['ratio'], 'lines': [['ratio', 'k_R/k_Omega']], 'cases': []}, {'name': 's', 'size': 3,
+'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (s3)', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 + nu_u_0*ratio'], ['s_1',
+'nu_e_1 + nu_u_1*ratio'], ['s_2', 'nu_e_2 + nu_u_2*ratio']], 'cases': []}, {'name': 'momentum',
+'size': 3, 'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
+'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 +
+eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 +
+eta_2*inertia_5']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control
+force', 'source': 'eq. (Ctrls3)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'eta_1*momentum_2 + given_0*inertia_0 +
+given_1*inertia_1 + given_2*inertia_2 - eta_2*momentum_1 - k_Omega*s_0'], ['force_1',
+'eta_2*momentum_0 + given_0*inertia_1 + given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 -
+k_Omega*s_1'], ['force_2', 'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 +
+given_2*inertia_5 - eta_1*momentum_0 - k_Omega*s_2']], 'cases': []}], 'outputs': [{'name': 'force',
+'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
+'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size':
+3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit':
+'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
+'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'clearance', 'size': 1, 'unit': '1',
+'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder': '',
+'member': 'clearance', 'entries': ['w']}], 'operations': 144, 'temporaries': 51, 'symbol':
+'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
+'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
 'public_writes': ['command', 'clearance']}, double precision, batched.
 
 Generated by derive from the vehicle file paper_so3_pd_plus.toml; regenerate instead of editing.
@@ -348,17 +362,22 @@ def _law(
     given_0 = g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2
     given_1 = g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2
     given_2 = g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_4 + g_e_8
+    pairs_3 = g_e_4 - g_e_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_3
     B_2 = g_e_2 + g_e_6
     B_3 = g_e_7 - g_e_5
-    B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_5 + g_e_7
     B_6 = g_e_2 - g_e_6
-    B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_3 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -380,23 +399,32 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
+    # norm_bounded: the same: less is no element [1]
+    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
-    norm = np.sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)
+    norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
+    # nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3)
+    nu_u_0 = power_0*scale
+    nu_u_1 = power_1*scale
+    nu_u_2 = power_2*scale
     # ratio: k_R/k_Omega [1/s]
     ratio = k_R/k_Omega
     # s: sliding variable [rad/s], eq. (s3)
-    s_0 = nu_e_0 + ratio*v_0
-    s_1 = nu_e_1 + ratio*v_1
-    s_2 = nu_e_2 + ratio*v_2
+    s_0 = nu_e_0 + nu_u_0*ratio
+    s_1 = nu_e_1 + nu_u_1*ratio
+    s_2 = nu_e_2 + nu_u_2*ratio
     # momentum: I eta [N m s]
     momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2
     momentum_1 = eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4
@@ -418,7 +446,7 @@ def _law(
     return (
         (force_0, force_1, force_2),
         (s_0, s_1, s_2),
-        (v_0, v_1, v_2),
+        (nu_u_0, nu_u_1, nu_u_2),
         (w,),
     )
 
@@ -475,7 +503,7 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
-    # divisor_0: the pivot, or 1 where it is not positive [kg m^2]
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -484,7 +512,7 @@ def _definiteness(
     lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [kg m^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is not positive [kg m^2]
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
@@ -535,19 +563,12 @@ def _drift(
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3 + g_e_6*g_e_6
     off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7
-    off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8
-    off_3 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
-    off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8
-    off_5 = g_e_2*g_e_2 - 1.0 + g_e_5*g_e_5 + g_e_8*g_e_8
-    off_6 = (
-        g_e_0*g_e_4*g_e_8 - 1.0 + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 - g_e_0*g_e_5*g_e_7 -
-        g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6
-    )
+    off_2 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
+    off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7
+    off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6
+    off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4
     # drift: square of the distance from the group [1]
-    drift = (
-        off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 +
-        off_6*off_6
-    )
+    drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5
     # -- end --
     return (
         (drift,),

@@ -55,9 +55,9 @@ g_e_3*nu_e_1'], ['nu_u_dot_2', '0.5*(g_e_0*nu_e_2 + g_e_1*nu_e_1 + g_e_3*nu_e_2 
 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'],
 ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
 nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit':
-'1/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'],
-['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+'1/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
+nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
 'momentum', 'size': 3, 'unit': 'J s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '',
 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1
@@ -391,10 +391,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [1/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [1/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [J s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2
     momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2
@@ -530,7 +530,7 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
-    # divisor_0: the pivot, or 1 where it is not positive [J s^2]
+    # divisor_0: the pivot, or 1 where it is bad [J s^2]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -539,7 +539,7 @@ def _definiteness(
     lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [J s^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is not positive [J s^2]
+    # divisor_1: the pivot, or 1 where it is bad [J s^2]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]

@@ -63,113 +63,147 @@ eta_dot_arm_0_a_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0'], ['eta_dot_6', 'eta_7*n
 g_e_16*nu_r_dot_6 + g_e_19*nu_r_dot_7 + g_e_22*nu_r_dot_8 - eta_8*nu_e_7'], ['eta_dot_7',
 'eta_8*nu_e_6 + g_e_17*nu_r_dot_6 + g_e_20*nu_r_dot_7 + g_e_23*nu_r_dot_8 - eta_6*nu_e_8'],
 ['eta_dot_8', 'eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 -
-eta_7*nu_e_6']], 'cases': []}, {'name': 'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w),
-by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['B_a_0', 'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5', 'B_a_6', 'B_a_7',
-'B_a_8', 'B_a_9'], 'lines': [['B_a_0', '1.0 + g_e_0 - g_e_10 - g_e_5'], ['B_a_1', 'g_e_1 + g_e_4'],
-['B_a_2', 'g_e_2 + g_e_8'], ['B_a_3', 'g_e_9 - g_e_6'], ['B_a_4', '1.0 + g_e_5 - g_e_0 - g_e_10'],
-['B_a_5', 'g_e_6 + g_e_9'], ['B_a_6', 'g_e_2 - g_e_8'], ['B_a_7', '1.0 + g_e_10 - g_e_0 - g_e_5'],
-['B_a_8', 'g_e_4 - g_e_1'], ['B_a_9', '1.0 + g_e_0 + g_e_10 + g_e_5']], 'cases': []}, {'name':
-'column_a', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_a_0', 'column_a_1', 'column_a_2',
-'column_a_3'], 'lines': [], 'cases': [{'condition': 'B_a_9.real >= 1.0', 'lines': [['column_a_0',
-'B_a_3'], ['column_a_1', 'B_a_6'], ['column_a_2', 'B_a_8'], ['column_a_3', 'B_a_9']]}, {'condition':
-'(B_a_0.real >= B_a_4.real) & (B_a_0.real >= B_a_7.real)', 'lines': [['column_a_0', 'B_a_0'],
-['column_a_1', 'B_a_1'], ['column_a_2', 'B_a_2'], ['column_a_3', 'B_a_3']]}, {'condition':
-'B_a_4.real >= B_a_7.real', 'lines': [['column_a_0', 'B_a_1'], ['column_a_1', 'B_a_4'],
-['column_a_2', 'B_a_5'], ['column_a_3', 'B_a_6']]}, {'condition': '', 'lines': [['column_a_0',
-'B_a_2'], ['column_a_1', 'B_a_5'], ['column_a_2', 'B_a_7'], ['column_a_3', 'B_a_8']]}]}, {'name':
-'power_a', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_a_0', 'power_a_1', 'power_a_2',
-'power_a_3'], 'lines': [['power_a_0', 'B_a_0*column_a_0 + B_a_1*column_a_1 + B_a_2*column_a_2 +
-B_a_3*column_a_3'], ['power_a_1', 'B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 +
-B_a_6*column_a_3'], ['power_a_2', 'B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 +
-B_a_8*column_a_3'], ['power_a_3', 'B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
-B_a_9*column_a_3']], 'cases': []}, {'name': 'norm_a', 'size': 1, 'unit': '1', 'doc': 'its length',
-'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_a'], 'lines':
-[['norm_a', 'np.sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-power_a_3*power_a_3)']], 'cases': []}, {'name': 'scale_a', 'size': 1, 'unit': '1', 'doc': 'to unit
-length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['scale_a'], 'lines': [], 'cases': [{'condition': 'power_a_3.real < 0.0',
-'lines': [['scale_a', '-1.0/norm_a']]}, {'condition': '', 'lines': [['scale_a', '1.0/norm_a']]}]},
-{'name': 'w_a', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
-'is_scalar': True, 'holder': '', 'member': '', 'names': ['w_a'], 'lines': [['w_a',
-'power_a_3*scale_a']], 'cases': []}, {'name': 'v_a', 'size': 3, 'unit': '1', 'doc': 'sin of half the
-error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['v_a_0', 'v_a_1', 'v_a_2'], 'lines': [['v_a_0', 'power_a_0*scale_a'], ['v_a_1',
-'power_a_1*scale_a'], ['v_a_2', 'power_a_2*scale_a']], 'cases': []}, {'name': 'k_a', 'size': 1,
-'unit': '1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['k_a'], 'lines': [['k_a', '_k(w_a)']], 'cases': []}, {'name': 'h_a', 'size':
-1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['h_a'], 'lines': [['h_a', '_h(w_a)']], 'cases': []}, {'name': 'phi_a', 'size': 3, 'unit':
-'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar': False, 'holder': '',
-'member': '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'], 'lines': [['phi_a_0', '2.0*k_a*v_a_0'],
-['phi_a_1', '2.0*k_a*v_a_1'], ['phi_a_2', '2.0*k_a*v_a_2']], 'cases': []}, {'name': 'half_a',
-'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-'', 'names': ['half_a'], 'lines': [['half_a', '0.5/k_a']], 'cases': []}, {'name': 'swing_p_a',
-'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-'names': ['swing_p_a_0', 'swing_p_a_1', 'swing_p_a_2'], 'lines': [['swing_p_a_0', 'g_e_11*v_a_1 -
-g_e_7*v_a_2'], ['swing_p_a_1', 'g_e_3*v_a_2 - g_e_11*v_a_0'], ['swing_p_a_2', 'g_e_7*v_a_0 -
-g_e_3*v_a_1']], 'cases': []}, {'name': 'sway_p_a', 'size': 3, 'unit': 'm', 'doc': 'Y Y p', 'source':
-'', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['sway_p_a_0', 'sway_p_a_1',
-'sway_p_a_2'], 'lines': [['sway_p_a_0', 'swing_p_a_2*v_a_1 - swing_p_a_1*v_a_2'], ['sway_p_a_1',
-'swing_p_a_0*v_a_2 - swing_p_a_2*v_a_0'], ['sway_p_a_2', 'swing_p_a_1*v_a_0 - swing_p_a_0*v_a_1']],
-'cases': []}, {'name': 'rho_p_a', 'size': 3, 'unit': 'm', 'doc': 'p - k Y p + h Y Y p', 'source':
-'', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['rho_p_a_0', 'rho_p_a_1',
-'rho_p_a_2'], 'lines': [['rho_p_a_0', 'g_e_3 + h_a*sway_p_a_0 - k_a*swing_p_a_0'], ['rho_p_a_1',
-'g_e_7 + h_a*sway_p_a_1 - k_a*swing_p_a_1'], ['rho_p_a_2', 'g_e_11 + h_a*sway_p_a_2 -
-k_a*swing_p_a_2']], 'cases': []}, {'name': 'y_p_a', 'size': 3, 'unit': 'm', 'doc': 'rho/(2 k)',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['y_p_a_0', 'y_p_a_1',
-'y_p_a_2'], 'lines': [['y_p_a_0', 'half_a*rho_p_a_0'], ['y_p_a_1', 'half_a*rho_p_a_1'], ['y_p_a_2',
-'half_a*rho_p_a_2']], 'cases': []}, {'name': 'B_b', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p =
-(v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder':
-'', 'member': '', 'names': ['B_b_0', 'B_b_1', 'B_b_2', 'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7',
-'B_b_8', 'B_b_9'], 'lines': [['B_b_0', '1.0 + g_e_16 - g_e_20 - g_e_24'], ['B_b_1', 'g_e_17 +
-g_e_19'], ['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 - g_e_21'], ['B_b_4', '1.0 + g_e_20 -
-g_e_16 - g_e_24'], ['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6', 'g_e_18 - g_e_22'], ['B_b_7', '1.0 +
-g_e_24 - g_e_16 - g_e_20'], ['B_b_8', 'g_e_19 - g_e_17'], ['B_b_9', '1.0 + g_e_16 + g_e_20 +
-g_e_24']], 'cases': []}, {'name': 'column_b', 'size': 4, 'unit': '1', 'doc': 'a column of B that
-cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['column_b_0', 'column_b_1', 'column_b_2', 'column_b_3'], 'lines': [], 'cases': [{'condition':
-'B_b_9.real >= 1.0', 'lines': [['column_b_0', 'B_b_3'], ['column_b_1', 'B_b_6'], ['column_b_2',
-'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition': '(B_b_0.real >= B_b_4.real) & (B_b_0.real >=
-B_b_7.real)', 'lines': [['column_b_0', 'B_b_0'], ['column_b_1', 'B_b_1'], ['column_b_2', 'B_b_2'],
-['column_b_3', 'B_b_3']]}, {'condition': 'B_b_4.real >= B_b_7.real', 'lines': [['column_b_0',
-'B_b_1'], ['column_b_1', 'B_b_4'], ['column_b_2', 'B_b_5'], ['column_b_3', 'B_b_6']]}, {'condition':
-'', 'lines': [['column_b_0', 'B_b_2'], ['column_b_1', 'B_b_5'], ['column_b_2', 'B_b_7'],
-['column_b_3', 'B_b_8']]}]}, {'name': 'power_b', 'size': 4, 'unit': '1', 'doc': 'the column after
-one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['power_b_0', 'power_b_1', 'power_b_2', 'power_b_3'], 'lines': [['power_b_0', 'B_b_0*column_b_0 +
-B_b_1*column_b_1 + B_b_2*column_b_2 + B_b_3*column_b_3'], ['power_b_1', 'B_b_1*column_b_0 +
-B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3'], ['power_b_2', 'B_b_2*column_b_0 +
-B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3'], ['power_b_3', 'B_b_3*column_b_0 +
-B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3']], 'cases': []}, {'name': 'norm_b', 'size':
-1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['norm_b'], 'lines': [['norm_b', 'np.sqrt(1.0e-290 + power_b_0*power_b_0 +
-power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3)']], 'cases': []}, {'name':
-'scale_b', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way round',
-'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_b'], 'lines': [],
-'cases': [{'condition': 'power_b_3.real < 0.0', 'lines': [['scale_b', '-1.0/norm_b']]},
-{'condition': '', 'lines': [['scale_b', '1.0/norm_b']]}]}, {'name': 'w_b', 'size': 1, 'unit': '1',
-'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-'names': ['w_b'], 'lines': [['w_b', 'power_b_3*scale_b']], 'cases': []}, {'name': 'v_b', 'size': 3,
-'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar': False,
-'holder': '', 'member': '', 'names': ['v_b_0', 'v_b_1', 'v_b_2'], 'lines': [['v_b_0',
-'power_b_0*scale_b'], ['v_b_1', 'power_b_1*scale_b'], ['v_b_2', 'power_b_2*scale_b']], 'cases': []},
-{'name': 'k_b', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '',
-'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_b'], 'lines': [['k_b', '_k(w_b)']],
-'cases': []}, {'name': 'h_b', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source':
-'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_b'], 'lines': [['h_b', '(1.0 -
-k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b))']], 'cases': []}, {'name': 'clearance_0', 'size': 1,
-'unit': '1', 'doc': 'the smaller clearance', 'source': '', 'is_scalar': True, 'holder': '',
-'member': '', 'names': ['clearance_0'], 'lines': [], 'cases': [{'condition': 'w_a.real <= w_b.real',
-'lines': [['clearance_0', 'w_a']]}, {'condition': '', 'lines': [['clearance_0', 'w_b']]}]}, {'name':
-'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law, the logarithm and the rotation vector',
-'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_6',
-'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6', '2.0*k_b*v_b_0'], ['nu_u_7', '2.0*k_b*v_b_1'], ['nu_u_8',
-'2.0*k_b*v_b_2']], 'cases': []}, {'name': 'turn_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e,
-Y = ad of y', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_a_0',
-'turn_a_1', 'turn_a_2', 'turn_a_3', 'turn_a_4', 'turn_a_5'], 'lines': [['turn_a_0', 'nu_e_2*v_a_1 -
+eta_7*nu_e_6']], 'cases': []}, {'name': 'pairs_a', 'size': 4, 'unit': '1', 'doc': "what B's diagonal
+is made of", 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['pairs_a_0',
+'pairs_a_1', 'pairs_a_2', 'pairs_a_3'], 'lines': [['pairs_a_0', '1.0 + g_e_0'], ['pairs_a_1', '1.0 -
+g_e_0'], ['pairs_a_2', 'g_e_10 + g_e_5'], ['pairs_a_3', 'g_e_5 - g_e_10']], 'cases': []}, {'name':
+'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of
+Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_a_0',
+'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5', 'B_a_6', 'B_a_7', 'B_a_8', 'B_a_9'], 'lines':
+[['B_a_0', 'pairs_a_0 - pairs_a_2'], ['B_a_1', 'g_e_1 + g_e_4'], ['B_a_2', 'g_e_2 + g_e_8'],
+['B_a_3', 'g_e_9 - g_e_6'], ['B_a_4', 'pairs_a_1 + pairs_a_3'], ['B_a_5', 'g_e_6 + g_e_9'],
+['B_a_6', 'g_e_2 - g_e_8'], ['B_a_7', 'pairs_a_1 - pairs_a_3'], ['B_a_8', 'g_e_4 - g_e_1'],
+['B_a_9', 'pairs_a_0 + pairs_a_2']], 'cases': []}, {'name': 'column_a', 'size': 4, 'unit': '1',
+'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+'', 'names': ['column_a_0', 'column_a_1', 'column_a_2', 'column_a_3'], 'lines': [], 'cases':
+[{'condition': 'B_a_9.real >= 1.0', 'lines': [['column_a_0', 'B_a_3'], ['column_a_1', 'B_a_6'],
+['column_a_2', 'B_a_8'], ['column_a_3', 'B_a_9']]}, {'condition': '(B_a_0.real >= B_a_4.real) &
+(B_a_0.real >= B_a_7.real)', 'lines': [['column_a_0', 'B_a_0'], ['column_a_1', 'B_a_1'],
+['column_a_2', 'B_a_2'], ['column_a_3', 'B_a_3']]}, {'condition': 'B_a_4.real >= B_a_7.real',
+'lines': [['column_a_0', 'B_a_1'], ['column_a_1', 'B_a_4'], ['column_a_2', 'B_a_5'], ['column_a_3',
+'B_a_6']]}, {'condition': '', 'lines': [['column_a_0', 'B_a_2'], ['column_a_1', 'B_a_5'],
+['column_a_2', 'B_a_7'], ['column_a_3', 'B_a_8']]}]}, {'name': 'power_a', 'size': 4, 'unit': '1',
+'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+'', 'names': ['power_a_0', 'power_a_1', 'power_a_2', 'power_a_3'], 'lines': [['power_a_0',
+'B_a_0*column_a_0 + B_a_1*column_a_1 + B_a_2*column_a_2 + B_a_3*column_a_3'], ['power_a_1',
+'B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3'], ['power_a_2',
+'B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3'], ['power_a_3',
+'B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3']], 'cases': []},
+{'name': 'square_a', 'size': 1, 'unit': '1', 'doc': 'square of its vector part', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['square_a'], 'lines': [['square_a',
+'power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2']], 'cases': []}, {'name':
+'norm_square_a', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': '', 'names': ['norm_square_a'], 'lines': [['norm_square_a', 'square_a
++ power_a_3*power_a_3']], 'cases': []}, {'name': 'norm_bounded_a', 'size': 1, 'unit': '1', 'doc':
+'the same: less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['norm_bounded_a'], 'lines': [], 'cases': [{'condition': 'norm_square_a.real < 49.0',
+'lines': [['norm_bounded_a', '49.0']]}, {'condition': '', 'lines': [['norm_bounded_a',
+'norm_square_a']]}]}, {'name': 'norm_a', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_a'], 'lines': [['norm_a',
+'np.sqrt(norm_bounded_a)']], 'cases': []}, {'name': 'inverse_norm_a', 'size': 1, 'unit': '1', 'doc':
+'to unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['inverse_norm_a'], 'lines': [['inverse_norm_a', '1.0/norm_a']], 'cases': []}, {'name': 'scale_a',
+'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_a'], 'lines': [], 'cases':
+[{'condition': 'power_a_3.real < 0.0', 'lines': [['scale_a', '-inverse_norm_a']]}, {'condition': '',
+'lines': [['scale_a', 'inverse_norm_a']]}]}, {'name': 'cosine_a', 'size': 1, 'unit': '1', 'doc':
+'cos of half the error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['cosine_a'], 'lines': [['cosine_a', 'power_a_3*scale_a']], 'cases': []}, {'name': 'w_a',
+'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['w_a'], 'lines': [], 'cases': [{'condition': 'cosine_a.real >
+1.0', 'lines': [['w_a', '1.0']]}, {'condition': '', 'lines': [['w_a', 'cosine_a']]}]}, {'name':
+'v_a', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_a_0', 'v_a_1', 'v_a_2'], 'lines':
+[['v_a_0', 'power_a_0*scale_a'], ['v_a_1', 'power_a_1*scale_a'], ['v_a_2', 'power_a_2*scale_a']],
+'cases': []}, {'name': 'k_a', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_a'], 'lines': [['k_a', '_k(w_a)']],
+'cases': []}, {'name': 'h_a', 'size': 1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': '', 'names': ['h_a'], 'lines': [['h_a', '_h(w_a)']], 'cases': []},
+{'name': 'phi_a', 'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'], 'lines':
+[['phi_a_0', '2.0*k_a*v_a_0'], ['phi_a_1', '2.0*k_a*v_a_1'], ['phi_a_2', '2.0*k_a*v_a_2']], 'cases':
+[]}, {'name': 'half_a', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['half_a'], 'lines': [['half_a', '0.5/k_a']], 'cases': []},
+{'name': 'swing_p_a', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['swing_p_a_0', 'swing_p_a_1', 'swing_p_a_2'], 'lines':
+[['swing_p_a_0', 'g_e_11*v_a_1 - g_e_7*v_a_2'], ['swing_p_a_1', 'g_e_3*v_a_2 - g_e_11*v_a_0'],
+['swing_p_a_2', 'g_e_7*v_a_0 - g_e_3*v_a_1']], 'cases': []}, {'name': 'sway_p_a', 'size': 3, 'unit':
+'m', 'doc': 'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['sway_p_a_0', 'sway_p_a_1', 'sway_p_a_2'], 'lines': [['sway_p_a_0', 'swing_p_a_2*v_a_1 -
+swing_p_a_1*v_a_2'], ['sway_p_a_1', 'swing_p_a_0*v_a_2 - swing_p_a_2*v_a_0'], ['sway_p_a_2',
+'swing_p_a_1*v_a_0 - swing_p_a_0*v_a_1']], 'cases': []}, {'name': 'rho_p_a', 'size': 3, 'unit': 'm',
+'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['rho_p_a_0', 'rho_p_a_1', 'rho_p_a_2'], 'lines': [['rho_p_a_0', 'g_e_3 + h_a*sway_p_a_0 -
+k_a*swing_p_a_0'], ['rho_p_a_1', 'g_e_7 + h_a*sway_p_a_1 - k_a*swing_p_a_1'], ['rho_p_a_2', 'g_e_11
++ h_a*sway_p_a_2 - k_a*swing_p_a_2']], 'cases': []}, {'name': 'y_p_a', 'size': 3, 'unit': 'm',
+'doc': 'rho/(2 k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['y_p_a_0', 'y_p_a_1', 'y_p_a_2'], 'lines': [['y_p_a_0', 'half_a*rho_p_a_0'], ['y_p_a_1',
+'half_a*rho_p_a_1'], ['y_p_a_2', 'half_a*rho_p_a_2']], 'cases': []}, {'name': 'pairs_b', 'size': 4,
+'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['pairs_b_0', 'pairs_b_1', 'pairs_b_2', 'pairs_b_3'], 'lines': [['pairs_b_0',
+'1.0 + g_e_16'], ['pairs_b_1', '1.0 - g_e_16'], ['pairs_b_2', 'g_e_20 + g_e_24'], ['pairs_b_3',
+'g_e_20 - g_e_24']], 'cases': []}, {'name': 'B_b', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v,
+w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['B_b_0', 'B_b_1', 'B_b_2', 'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7',
+'B_b_8', 'B_b_9'], 'lines': [['B_b_0', 'pairs_b_0 - pairs_b_2'], ['B_b_1', 'g_e_17 + g_e_19'],
+['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 - g_e_21'], ['B_b_4', 'pairs_b_1 + pairs_b_3'],
+['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6', 'g_e_18 - g_e_22'], ['B_b_7', 'pairs_b_1 - pairs_b_3'],
+['B_b_8', 'g_e_19 - g_e_17'], ['B_b_9', 'pairs_b_0 + pairs_b_2']], 'cases': []}, {'name':
+'column_b', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_b_0', 'column_b_1', 'column_b_2',
+'column_b_3'], 'lines': [], 'cases': [{'condition': 'B_b_9.real >= 1.0', 'lines': [['column_b_0',
+'B_b_3'], ['column_b_1', 'B_b_6'], ['column_b_2', 'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition':
+'(B_b_0.real >= B_b_4.real) & (B_b_0.real >= B_b_7.real)', 'lines': [['column_b_0', 'B_b_0'],
+['column_b_1', 'B_b_1'], ['column_b_2', 'B_b_2'], ['column_b_3', 'B_b_3']]}, {'condition':
+'B_b_4.real >= B_b_7.real', 'lines': [['column_b_0', 'B_b_1'], ['column_b_1', 'B_b_4'],
+['column_b_2', 'B_b_5'], ['column_b_3', 'B_b_6']]}, {'condition': '', 'lines': [['column_b_0',
+'B_b_2'], ['column_b_1', 'B_b_5'], ['column_b_2', 'B_b_7'], ['column_b_3', 'B_b_8']]}]}, {'name':
+'power_b', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_b_0', 'power_b_1', 'power_b_2',
+'power_b_3'], 'lines': [['power_b_0', 'B_b_0*column_b_0 + B_b_1*column_b_1 + B_b_2*column_b_2 +
+B_b_3*column_b_3'], ['power_b_1', 'B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 +
+B_b_6*column_b_3'], ['power_b_2', 'B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 +
+B_b_8*column_b_3'], ['power_b_3', 'B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
+B_b_9*column_b_3']], 'cases': []}, {'name': 'square_b', 'size': 1, 'unit': '1', 'doc': 'square of
+its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['square_b'], 'lines': [['square_b', 'power_b_0*power_b_0 + power_b_1*power_b_1 +
+power_b_2*power_b_2']], 'cases': []}, {'name': 'norm_square_b', 'size': 1, 'unit': '1', 'doc': 'its
+squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_square_b'], 'lines': [['norm_square_b', 'square_b + power_b_3*power_b_3']], 'cases': []},
+{'name': 'norm_bounded_b', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded_b'], 'lines': [],
+'cases': [{'condition': 'norm_square_b.real < 49.0', 'lines': [['norm_bounded_b', '49.0']]},
+{'condition': '', 'lines': [['norm_bounded_b', 'norm_square_b']]}]}, {'name': 'norm_b', 'size': 1,
+'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['norm_b'], 'lines': [['norm_b', 'np.sqrt(norm_bounded_b)']], 'cases': []}, {'name':
+'inverse_norm_b', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['inverse_norm_b'], 'lines': [['inverse_norm_b',
+'1.0/norm_b']], 'cases': []}, {'name': 'scale_b', 'size': 1, 'unit': '1', 'doc': 'to unit length,
+and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['scale_b'], 'lines': [], 'cases': [{'condition': 'power_b_3.real < 0.0', 'lines':
+[['scale_b', '-inverse_norm_b']]}, {'condition': '', 'lines': [['scale_b', 'inverse_norm_b']]}]},
+{'name': 'w_b', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['w_b'], 'lines': [['w_b',
+'power_b_3*scale_b']], 'cases': []}, {'name': 'k_b', 'size': 1, 'unit': '1', 'doc': 'half angle over
+its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_b'], 'lines':
+[['k_b', '_k(w_b)']], 'cases': []}, {'name': 'h_raw_b', 'size': 1, 'unit': '1', 'doc': "-dk/dw by
+the scale's square, as s^2 h = 1 - w k", 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['h_raw_b'], 'lines': [['h_raw_b', '(1.0 - k_b*w_b)/(square_b + 1.0e-17)']], 'cases':
+[]}, {'name': 'reach_b', 'size': 1, 'unit': '1', 'doc': 'p by the scale, but for a number',
+'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['reach_b'], 'lines':
+[['reach_b', 'k_b*scale_b']], 'cases': []}, {'name': 'stretch_b', 'size': 1, 'unit': '1', 'doc':
+'ratio of nu_u to the vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['stretch_b'], 'lines': [['stretch_b', '2.0*reach_b']], 'cases': []}, {'name':
+'clearance_0', 'size': 1, 'unit': '1', 'doc': 'the smaller clearance', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': '', 'names': ['clearance_0'], 'lines': [], 'cases': [{'condition':
+'w_a.real <= w_b.real', 'lines': [['clearance_0', 'w_a']]}, {'condition': '', 'lines':
+[['clearance_0', 'w_b']]}]}, {'name': 'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law,
+the logarithm and the rotation vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['nu_u_6', 'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6',
+'power_b_0*stretch_b'], ['nu_u_7', 'power_b_1*stretch_b'], ['nu_u_8', 'power_b_2*stretch_b']],
+'cases': []}, {'name': 'turn_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_a_0', 'turn_a_1',
+'turn_a_2', 'turn_a_3', 'turn_a_4', 'turn_a_5'], 'lines': [['turn_a_0', 'nu_e_2*v_a_1 -
 nu_e_1*v_a_2'], ['turn_a_1', 'nu_e_0*v_a_2 - nu_e_2*v_a_0'], ['turn_a_2', 'nu_e_1*v_a_0 -
 nu_e_0*v_a_1'], ['turn_a_3', 'nu_e_2*y_p_a_1 + nu_e_5*v_a_1 - nu_e_1*y_p_a_2 - nu_e_4*v_a_2'],
 ['turn_a_4', 'nu_e_0*y_p_a_2 + nu_e_3*v_a_2 - nu_e_2*y_p_a_0 - nu_e_5*v_a_0'], ['turn_a_5',
@@ -191,23 +225,24 @@ turn_a_4*v_a_0 - turn_a_0*y_p_a_1 - turn_a_3*v_a_1']], 'cases': []}, {'name': 'm
 ['tail_a_5', 'along_p_a*bend_a_2']], 'cases': []}, {'name': 'twofold_a', 'size': 1, 'unit': '1',
 'doc': 'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True, 'holder': '', 'member':
 '', 'names': ['twofold_a'], 'lines': [['twofold_a', 'h_a*h_a - 0.5*k_a*m_a']], 'cases': []},
-{'name': 'turn_b', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '', 'is_scalar': False,
-'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1', 'turn_b_2'], 'lines': [['turn_b_0',
-'nu_e_8*v_b_1 - nu_e_7*v_b_2'], ['turn_b_1', 'nu_e_6*v_b_2 - nu_e_8*v_b_0'], ['turn_b_2',
-'nu_e_7*v_b_0 - nu_e_6*v_b_1']], 'cases': []}, {'name': 'bend_b', 'size': 3, 'unit': 'rad/s', 'doc':
-'v x (v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-['bend_b_0', 'bend_b_1', 'bend_b_2'], 'lines': [['bend_b_0', 'turn_b_2*v_b_1 - turn_b_1*v_b_2'],
-['bend_b_1', 'turn_b_0*v_b_2 - turn_b_2*v_b_0'], ['bend_b_2', 'turn_b_1*v_b_0 - turn_b_0*v_b_1']],
-'cases': []}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u',
-'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
-'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8'],
-'lines': [['nu_u_dot_0', 'nu_e_0 + bend_a_0*h_a + k_a*turn_a_0'], ['nu_u_dot_1', 'nu_e_1 +
-bend_a_1*h_a + k_a*turn_a_1'], ['nu_u_dot_2', 'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'],
-['nu_u_dot_3', 'nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4
-+ bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a +
-k_a*turn_a_5 + tail_a_5*twofold_a'], ['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_b + k_b*turn_b_0'],
-['nu_u_dot_7', 'nu_e_7 + bend_b_1*h_b + k_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 + bend_b_2*h_b +
-k_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda
+{'name': 'turn_b', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x nu_e, its share', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1', 'turn_b_2'],
+'lines': [['turn_b_0', 'nu_e_8*power_b_1 - nu_e_7*power_b_2'], ['turn_b_1', 'nu_e_6*power_b_2 -
+nu_e_8*power_b_0'], ['turn_b_2', 'nu_e_7*power_b_0 - nu_e_6*power_b_1']], 'cases': []}, {'name':
+'bend_b', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['bend_b_0', 'bend_b_1', 'bend_b_2'], 'lines': [['bend_b_0',
+'power_b_1*turn_b_2 - power_b_2*turn_b_1'], ['bend_b_1', 'power_b_2*turn_b_0 - power_b_0*turn_b_2'],
+['bend_b_2', 'power_b_0*turn_b_1 - power_b_1*turn_b_0']], 'cases': []}, {'name': 'nu_u_dot', 'size':
+9, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4',
+'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8'], 'lines': [['nu_u_dot_0', 'nu_e_0 +
+bend_a_0*h_a + k_a*turn_a_0'], ['nu_u_dot_1', 'nu_e_1 + bend_a_1*h_a + k_a*turn_a_1'],
+['nu_u_dot_2', 'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'], ['nu_u_dot_3', 'nu_e_3 + bend_a_3*h_a +
+k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 +
+tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a'],
+['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0'], ['nu_u_dot_7', 'nu_e_7 +
+bend_b_1*h_raw_b + reach_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 + bend_b_2*h_raw_b +
+reach_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda
 nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1',
 'drive_2', 'drive_3', 'drive_4', 'drive_5', 'drive_6', 'drive_7', 'drive_8'], 'lines': [['drive_0',
 'phi_a_0*rate_gain'], ['drive_1', 'phi_a_1*rate_gain'], ['drive_2', 'phi_a_2*rate_gain'],
@@ -228,51 +263,50 @@ reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_
 - reach_gain*s_4'], ['wanted_5', 'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5'], ['wanted_6',
 'eta_dot_6 - nu_u_dot_6*rate_gain - reach_gain*s_6'], ['wanted_7', 'eta_dot_7 - nu_u_dot_7*rate_gain
 - reach_gain*s_7'], ['wanted_8', 'eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8']], 'cases':
-[]}, {'name': 'turning', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '',
-'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
-'turning_3', 'turning_4', 'turning_5', 'turning_6', 'turning_7', 'turning_8'], 'lines':
-[['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 -
-eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4 - eta_4'], ['turning_5', 'drive_5
-- eta_5'], ['turning_6', 'drive_6 - eta_6'], ['turning_7', 'drive_7 - eta_7'], ['turning_8',
-'drive_8 - eta_8']], 'cases': []}, {'name': 'momentum', 'size': 9, 'unit': 'N m s, N s', 'doc': 'I
-nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
-'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4', 'momentum_5', 'momentum_6', 'momentum_7',
-'momentum_8'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'],
-['momentum_1', 'inertia_11*nu_3 + inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 +
-inertia_2*nu_0'], ['momentum_3', 'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4',
-'inertia_30*nu_4 + inertia_4*nu_0'], ['momentum_5', 'inertia_35*nu_5'], ['momentum_6',
-'inertia_39*nu_6'], ['momentum_7', 'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']], 'cases':
-[]}, {'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq.
-(TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1',
-'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7', 'force_8'], 'lines': [['force_0',
-'inertia_0*wanted_0 + inertia_2*wanted_2 + inertia_4*wanted_4 + momentum_1*turning_2 +
-momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'], ['force_1',
-'inertia_11*wanted_3 + inertia_9*wanted_1 + momentum_2*turning_0 + momentum_5*turning_3 -
-momentum_0*turning_2 - momentum_3*turning_5'], ['force_2', 'inertia_17*wanted_2 + inertia_2*wanted_0
-+ momentum_0*turning_1 + momentum_3*turning_4 - momentum_1*turning_0 - momentum_4*turning_3'],
-['force_3', 'inertia_11*wanted_1 + inertia_24*wanted_3 + momentum_4*turning_2 -
-momentum_5*turning_1'], ['force_4', 'inertia_30*wanted_4 + inertia_4*wanted_0 + momentum_5*turning_0
-- momentum_3*turning_2'], ['force_5', 'inertia_35*wanted_5 + momentum_3*turning_1 -
-momentum_4*turning_0'], ['force_6', 'inertia_39*wanted_6 + momentum_7*turning_8 -
-momentum_8*turning_7'], ['force_7', 'inertia_42*wanted_7 + momentum_8*turning_6 -
-momentum_6*turning_8'], ['force_8', 'inertia_44*wanted_8 + momentum_6*turning_7 -
-momentum_7*turning_6']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 9, 'unit': 'N m, N',
-'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force',
-'entries': ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7',
-'force_8']}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': '',
-'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2', 's_3',
-'s_4', 's_5', 's_6', 's_7', 's_8']}, {'name': 'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic
-law', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries':
-['phi_a_0', 'phi_a_1', 'phi_a_2', 'rho_p_a_0', 'rho_p_a_1', 'rho_p_a_2', 'nu_u_6', 'nu_u_7',
-'nu_u_8']}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source':
-'', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0',
-'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7',
-'nu_u_dot_8']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of
-the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
-['clearance_0']}], 'operations': 627, 'temporaries': 192, 'symbol': 'tracking', 'is_public': False,
-'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
-'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes': ['command',
-'clearance']}, double precision, batched.
+[]}, {'name': 'turning', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1',
+'turning_2', 'turning_3', 'turning_4', 'turning_5', 'turning_6', 'turning_7', 'turning_8'], 'lines':
+[['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2'],
+['turning_3', 's_3 - nu_3'], ['turning_4', 's_4 - nu_4'], ['turning_5', 's_5 - nu_5'], ['turning_6',
+'s_6 - nu_6'], ['turning_7', 's_7 - nu_7'], ['turning_8', 's_8 - nu_8']], 'cases': []}, {'name':
+'momentum', 'size': 9, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3',
+'momentum_4', 'momentum_5', 'momentum_6', 'momentum_7', 'momentum_8'], 'lines': [['momentum_0',
+'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'], ['momentum_1', 'inertia_11*nu_3 +
+inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 + inertia_2*nu_0'], ['momentum_3',
+'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4', 'inertia_30*nu_4 + inertia_4*nu_0'],
+['momentum_5', 'inertia_35*nu_5'], ['momentum_6', 'inertia_39*nu_6'], ['momentum_7',
+'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']], 'cases': []}, {'name': 'force', 'size': 9,
+'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2', 'force_3', 'force_4',
+'force_5', 'force_6', 'force_7', 'force_8'], 'lines': [['force_0', 'inertia_0*wanted_0 +
+inertia_2*wanted_2 + inertia_4*wanted_4 + momentum_1*turning_2 + momentum_4*turning_5 -
+momentum_2*turning_1 - momentum_5*turning_4'], ['force_1', 'inertia_11*wanted_3 + inertia_9*wanted_1
++ momentum_2*turning_0 + momentum_5*turning_3 - momentum_0*turning_2 - momentum_3*turning_5'],
+['force_2', 'inertia_17*wanted_2 + inertia_2*wanted_0 + momentum_0*turning_1 + momentum_3*turning_4
+- momentum_1*turning_0 - momentum_4*turning_3'], ['force_3', 'inertia_11*wanted_1 +
+inertia_24*wanted_3 + momentum_4*turning_2 - momentum_5*turning_1'], ['force_4',
+'inertia_30*wanted_4 + inertia_4*wanted_0 + momentum_5*turning_0 - momentum_3*turning_2'],
+['force_5', 'inertia_35*wanted_5 + momentum_3*turning_1 - momentum_4*turning_0'], ['force_6',
+'inertia_39*wanted_6 + momentum_7*turning_8 - momentum_8*turning_7'], ['force_7',
+'inertia_42*wanted_7 + momentum_8*turning_6 - momentum_6*turning_8'], ['force_8',
+'inertia_44*wanted_8 + momentum_6*turning_7 - momentum_7*turning_6']], 'cases': []}], 'outputs':
+[{'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force', 'source': '', 'is_scalar':
+False, 'holder': 'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2',
+'force_3', 'force_4', 'force_5', 'force_6', 'force_7', 'force_8']}, {'name': 's', 'size': 9, 'unit':
+'rad/s, m/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder': 'command',
+'member': 's', 'entries': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5', 's_6', 's_7', 's_8']}, {'name':
+'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law', 'source': '', 'is_scalar': False,
+'holder': 'command', 'member': 'nu_u', 'entries': ['phi_a_0', 'phi_a_1', 'phi_a_2', 'rho_p_a_0',
+'rho_p_a_1', 'rho_p_a_2', 'nu_u_6', 'nu_u_7', 'nu_u_8']}, {'name': 'nu_u_dot', 'size': 9, 'unit':
+'rad/s, m/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder': 'command',
+'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3',
+'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8']}, {'name': 'clearance',
+'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': 'clearance', 'entries': ['clearance_0']}], 'operations': 614,
+'temporaries': 208, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes':
+['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double precision, batched.
 
 Generated by derive from the vehicle file two_bodies.toml; regenerate instead of editing.
 Configuration: matrix of 4 rows, row by row; then rotation matrix, row by row.
@@ -733,17 +767,22 @@ def _law(
     eta_dot_8 = (
         eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 - eta_7*nu_e_6
     )
+    # pairs_a: what B's diagonal is made of [1]
+    pairs_a_0 = 1.0 + g_e_0
+    pairs_a_1 = 1.0 - g_e_0
+    pairs_a_2 = g_e_10 + g_e_5
+    pairs_a_3 = g_e_5 - g_e_10
     # B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_a_0 = 1.0 + g_e_0 - g_e_10 - g_e_5
+    B_a_0 = pairs_a_0 - pairs_a_2
     B_a_1 = g_e_1 + g_e_4
     B_a_2 = g_e_2 + g_e_8
     B_a_3 = g_e_9 - g_e_6
-    B_a_4 = 1.0 + g_e_5 - g_e_0 - g_e_10
+    B_a_4 = pairs_a_1 + pairs_a_3
     B_a_5 = g_e_6 + g_e_9
     B_a_6 = g_e_2 - g_e_8
-    B_a_7 = 1.0 + g_e_10 - g_e_0 - g_e_5
+    B_a_7 = pairs_a_1 - pairs_a_3
     B_a_8 = g_e_4 - g_e_1
-    B_a_9 = 1.0 + g_e_0 + g_e_10 + g_e_5
+    B_a_9 = pairs_a_0 + pairs_a_2
     # column_a: a column of B that cannot vanish [1]
     column_a_if_0 = B_a_9.real >= 1.0
     column_a_if_1 = (B_a_0.real >= B_a_4.real) & (B_a_0.real >= B_a_7.real)
@@ -769,16 +808,25 @@ def _law(
     power_a_1 = B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3
     power_a_2 = B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3
     power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3
+    # square_a: square of its vector part [1]
+    square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2
+    # norm_square_a: its squared length [1]
+    norm_square_a = square_a + power_a_3*power_a_3
+    # norm_bounded_a: the same: less is no element [1]
+    norm_bounded_a_if_0 = norm_square_a.real < 49.0
+    norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
     # norm_a: its length [1]
-    norm_a = (
-        np.sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-        power_a_3*power_a_3)
-    )
+    norm_a = np.sqrt(norm_bounded_a)
+    # inverse_norm_a: to unit length [1]
+    inverse_norm_a = 1.0/norm_a
     # scale_a: to unit length, and to w >= 0: the shorter way round [1]
     scale_a_if_0 = power_a_3.real < 0.0
-    scale_a = np.where(scale_a_if_0, -1.0/norm_a, 1.0/norm_a)
+    scale_a = np.where(scale_a_if_0, -inverse_norm_a, inverse_norm_a)
+    # cosine_a: cos of half the error angle, rounded [1]
+    cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
-    w_a = power_a_3*scale_a
+    w_a_if_0 = cosine_a.real > 1.0
+    w_a = np.where(w_a_if_0, 1.0, cosine_a)
     # v_a: sin of half the error angle times its axis [1]
     v_a_0 = power_a_0*scale_a
     v_a_1 = power_a_1*scale_a
@@ -809,17 +857,22 @@ def _law(
     y_p_a_0 = half_a*rho_p_a_0
     y_p_a_1 = half_a*rho_p_a_1
     y_p_a_2 = half_a*rho_p_a_2
+    # pairs_b: what B's diagonal is made of [1]
+    pairs_b_0 = 1.0 + g_e_16
+    pairs_b_1 = 1.0 - g_e_16
+    pairs_b_2 = g_e_20 + g_e_24
+    pairs_b_3 = g_e_20 - g_e_24
     # B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_b_0 = 1.0 + g_e_16 - g_e_20 - g_e_24
+    B_b_0 = pairs_b_0 - pairs_b_2
     B_b_1 = g_e_17 + g_e_19
     B_b_2 = g_e_18 + g_e_22
     B_b_3 = g_e_23 - g_e_21
-    B_b_4 = 1.0 + g_e_20 - g_e_16 - g_e_24
+    B_b_4 = pairs_b_1 + pairs_b_3
     B_b_5 = g_e_21 + g_e_23
     B_b_6 = g_e_18 - g_e_22
-    B_b_7 = 1.0 + g_e_24 - g_e_16 - g_e_20
+    B_b_7 = pairs_b_1 - pairs_b_3
     B_b_8 = g_e_19 - g_e_17
-    B_b_9 = 1.0 + g_e_16 + g_e_20 + g_e_24
+    B_b_9 = pairs_b_0 + pairs_b_2
     # column_b: a column of B that cannot vanish [1]
     column_b_if_0 = B_b_9.real >= 1.0
     column_b_if_1 = (B_b_0.real >= B_b_4.real) & (B_b_0.real >= B_b_7.real)
@@ -845,31 +898,37 @@ def _law(
     power_b_1 = B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3
     power_b_2 = B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3
     power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3
+    # square_b: square of its vector part [1]
+    square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2
+    # norm_square_b: its squared length [1]
+    norm_square_b = square_b + power_b_3*power_b_3
+    # norm_bounded_b: the same: less is no element [1]
+    norm_bounded_b_if_0 = norm_square_b.real < 49.0
+    norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
     # norm_b: its length [1]
-    norm_b = (
-        np.sqrt(1.0e-290 + power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
-        power_b_3*power_b_3)
-    )
+    norm_b = np.sqrt(norm_bounded_b)
+    # inverse_norm_b: to unit length [1]
+    inverse_norm_b = 1.0/norm_b
     # scale_b: to unit length, and to w >= 0: the shorter way round [1]
     scale_b_if_0 = power_b_3.real < 0.0
-    scale_b = np.where(scale_b_if_0, -1.0/norm_b, 1.0/norm_b)
+    scale_b = np.where(scale_b_if_0, -inverse_norm_b, inverse_norm_b)
     # w_b: cos of half the error angle [1]
     w_b = power_b_3*scale_b
-    # v_b: sin of half the error angle times its axis [1]
-    v_b_0 = power_b_0*scale_b
-    v_b_1 = power_b_1*scale_b
-    v_b_2 = power_b_2*scale_b
     # k_b: half angle over its sine [1]
     k_b = _k(w_b)
-    # h_b: -dk/dw, as (1 - w k)/s^2 [1]
-    h_b = (1.0 - k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b))
+    # h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17)
+    # reach_b: p by the scale, but for a number [1]
+    reach_b = k_b*scale_b
+    # stretch_b: ratio of nu_u to the vector part [1]
+    stretch_b = 2.0*reach_b
     # clearance_0: the smaller clearance [1]
     clearance_0_if_0 = w_a.real <= w_b.real
     clearance_0 = np.where(clearance_0_if_0, w_a, w_b)
     # nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw)
-    nu_u_6 = 2.0*k_b*v_b_0
-    nu_u_7 = 2.0*k_b*v_b_1
-    nu_u_8 = 2.0*k_b*v_b_2
+    nu_u_6 = power_b_0*stretch_b
+    nu_u_7 = power_b_1*stretch_b
+    nu_u_8 = power_b_2*stretch_b
     # turn_a: Y nu_e, Y = ad of y [rad/s, m/s]
     turn_a_0 = nu_e_2*v_a_1 - nu_e_1*v_a_2
     turn_a_1 = nu_e_0*v_a_2 - nu_e_2*v_a_0
@@ -894,14 +953,14 @@ def _law(
     tail_a_5 = along_p_a*bend_a_2
     # twofold_a: h^2 - k m/2, of the double root [1]
     twofold_a = h_a*h_a - 0.5*k_a*m_a
-    # turn_b: v x nu_e [rad/s]
-    turn_b_0 = nu_e_8*v_b_1 - nu_e_7*v_b_2
-    turn_b_1 = nu_e_6*v_b_2 - nu_e_8*v_b_0
-    turn_b_2 = nu_e_7*v_b_0 - nu_e_6*v_b_1
-    # bend_b: v x (v x nu_e) [rad/s]
-    bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2
-    bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0
-    bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1
+    # turn_b: vector part x nu_e, its share [rad/s]
+    turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2
+    turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0
+    turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1
+    # bend_b: vector part x that [rad/s]
+    bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1
+    bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2
+    bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0
     # nu_u_dot: exact rate of nu_u [rad/s, m/s]
     nu_u_dot_0 = nu_e_0 + bend_a_0*h_a + k_a*turn_a_0
     nu_u_dot_1 = nu_e_1 + bend_a_1*h_a + k_a*turn_a_1
@@ -909,9 +968,9 @@ def _law(
     nu_u_dot_3 = nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a
     nu_u_dot_4 = nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a
     nu_u_dot_5 = nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a
-    nu_u_dot_6 = nu_e_6 + bend_b_0*h_b + k_b*turn_b_0
-    nu_u_dot_7 = nu_e_7 + bend_b_1*h_b + k_b*turn_b_1
-    nu_u_dot_8 = nu_e_8 + bend_b_2*h_b + k_b*turn_b_2
+    nu_u_dot_6 = nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0
+    nu_u_dot_7 = nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1
+    nu_u_dot_8 = nu_e_8 + bend_b_2*h_raw_b + reach_b*turn_b_2
     # drive: lambda nu_u [rad/s, m/s]
     drive_0 = phi_a_0*rate_gain
     drive_1 = phi_a_1*rate_gain
@@ -942,16 +1001,16 @@ def _law(
     wanted_6 = eta_dot_6 - nu_u_dot_6*rate_gain - reach_gain*s_6
     wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7
     wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
-    turning_3 = drive_3 - eta_3
-    turning_4 = drive_4 - eta_4
-    turning_5 = drive_5 - eta_5
-    turning_6 = drive_6 - eta_6
-    turning_7 = drive_7 - eta_7
-    turning_8 = drive_8 - eta_8
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
+    turning_3 = s_3 - nu_3
+    turning_4 = s_4 - nu_4
+    turning_5 = s_5 - nu_5
+    turning_6 = s_6 - nu_6
+    turning_7 = s_7 - nu_7
+    turning_8 = s_8 - nu_8
     # momentum: I nu [N m s, N s]
     momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4
     momentum_1 = inertia_11*nu_3 + inertia_9*nu_1
@@ -1018,17 +1077,22 @@ def _reaching(
     nu_0, nu_1, nu_2, nu_3, nu_4, nu_5, nu_6, nu_7, nu_8 = (
         nu[0], nu[1], nu[2], nu[3], nu[4], nu[5], nu[6], nu[7], nu[8]
     )
+    # pairs_a: what B's diagonal is made of [1]
+    pairs_a_0 = 1.0 + g_0
+    pairs_a_1 = 1.0 - g_0
+    pairs_a_2 = g_10 + g_5
+    pairs_a_3 = g_5 - g_10
     # B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_a_0 = 1.0 + g_0 - g_10 - g_5
+    B_a_0 = pairs_a_0 - pairs_a_2
     B_a_1 = g_1 + g_4
     B_a_2 = g_2 + g_8
     B_a_3 = g_9 - g_6
-    B_a_4 = 1.0 + g_5 - g_0 - g_10
+    B_a_4 = pairs_a_1 + pairs_a_3
     B_a_5 = g_6 + g_9
     B_a_6 = g_2 - g_8
-    B_a_7 = 1.0 + g_10 - g_0 - g_5
+    B_a_7 = pairs_a_1 - pairs_a_3
     B_a_8 = g_4 - g_1
-    B_a_9 = 1.0 + g_0 + g_10 + g_5
+    B_a_9 = pairs_a_0 + pairs_a_2
     # column_a: a column of B that cannot vanish [1]
     column_a_if_0 = B_a_9.real >= 1.0
     column_a_if_1 = (B_a_0.real >= B_a_4.real) & (B_a_0.real >= B_a_7.real)
@@ -1054,16 +1118,25 @@ def _reaching(
     power_a_1 = B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 + B_a_6*column_a_3
     power_a_2 = B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 + B_a_8*column_a_3
     power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 + B_a_9*column_a_3
+    # square_a: square of its vector part [1]
+    square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2
+    # norm_square_a: its squared length [1]
+    norm_square_a = square_a + power_a_3*power_a_3
+    # norm_bounded_a: the same: less is no element [1]
+    norm_bounded_a_if_0 = norm_square_a.real < 49.0
+    norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
     # norm_a: its length [1]
-    norm_a = (
-        np.sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
-        power_a_3*power_a_3)
-    )
+    norm_a = np.sqrt(norm_bounded_a)
+    # inverse_norm_a: to unit length [1]
+    inverse_norm_a = 1.0/norm_a
     # scale_a: to unit length, and to w >= 0: the shorter way round [1]
     scale_a_if_0 = power_a_3.real < 0.0
-    scale_a = np.where(scale_a_if_0, -1.0/norm_a, 1.0/norm_a)
+    scale_a = np.where(scale_a_if_0, -inverse_norm_a, inverse_norm_a)
+    # cosine_a: cos of half the error angle, rounded [1]
+    cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
-    w_a = power_a_3*scale_a
+    w_a_if_0 = cosine_a.real > 1.0
+    w_a = np.where(w_a_if_0, 1.0, cosine_a)
     # v_a: sin of half the error angle times its axis [1]
     v_a_0 = power_a_0*scale_a
     v_a_1 = power_a_1*scale_a
@@ -1094,17 +1167,22 @@ def _reaching(
     y_p_a_0 = half_a*rho_p_a_0
     y_p_a_1 = half_a*rho_p_a_1
     y_p_a_2 = half_a*rho_p_a_2
+    # pairs_b: what B's diagonal is made of [1]
+    pairs_b_0 = 1.0 + g_16
+    pairs_b_1 = 1.0 - g_16
+    pairs_b_2 = g_20 + g_24
+    pairs_b_3 = g_20 - g_24
     # B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_b_0 = 1.0 + g_16 - g_20 - g_24
+    B_b_0 = pairs_b_0 - pairs_b_2
     B_b_1 = g_17 + g_19
     B_b_2 = g_18 + g_22
     B_b_3 = g_23 - g_21
-    B_b_4 = 1.0 + g_20 - g_16 - g_24
+    B_b_4 = pairs_b_1 + pairs_b_3
     B_b_5 = g_21 + g_23
     B_b_6 = g_18 - g_22
-    B_b_7 = 1.0 + g_24 - g_16 - g_20
+    B_b_7 = pairs_b_1 - pairs_b_3
     B_b_8 = g_19 - g_17
-    B_b_9 = 1.0 + g_16 + g_20 + g_24
+    B_b_9 = pairs_b_0 + pairs_b_2
     # column_b: a column of B that cannot vanish [1]
     column_b_if_0 = B_b_9.real >= 1.0
     column_b_if_1 = (B_b_0.real >= B_b_4.real) & (B_b_0.real >= B_b_7.real)
@@ -1130,28 +1208,34 @@ def _reaching(
     power_b_1 = B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3
     power_b_2 = B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3
     power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3
+    # square_b: square of its vector part [1]
+    square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2
+    # norm_square_b: its squared length [1]
+    norm_square_b = square_b + power_b_3*power_b_3
+    # norm_bounded_b: the same: less is no element [1]
+    norm_bounded_b_if_0 = norm_square_b.real < 49.0
+    norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
     # norm_b: its length [1]
-    norm_b = (
-        np.sqrt(1.0e-290 + power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
-        power_b_3*power_b_3)
-    )
+    norm_b = np.sqrt(norm_bounded_b)
+    # inverse_norm_b: to unit length [1]
+    inverse_norm_b = 1.0/norm_b
     # scale_b: to unit length, and to w >= 0: the shorter way round [1]
     scale_b_if_0 = power_b_3.real < 0.0
-    scale_b = np.where(scale_b_if_0, -1.0/norm_b, 1.0/norm_b)
+    scale_b = np.where(scale_b_if_0, -inverse_norm_b, inverse_norm_b)
     # w_b: cos of half the error angle [1]
     w_b = power_b_3*scale_b
-    # v_b: sin of half the error angle times its axis [1]
-    v_b_0 = power_b_0*scale_b
-    v_b_1 = power_b_1*scale_b
-    v_b_2 = power_b_2*scale_b
     # k_b: half angle over its sine [1]
     k_b = _k(w_b)
-    # h_b: -dk/dw, as (1 - w k)/s^2 [1]
-    h_b = (1.0 - k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b))
+    # h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17)
+    # reach_b: p by the scale, but for a number [1]
+    reach_b = k_b*scale_b
+    # stretch_b: ratio of nu_u to the vector part [1]
+    stretch_b = 2.0*reach_b
     # nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw)
-    nu_u_6 = 2.0*k_b*v_b_0
-    nu_u_7 = 2.0*k_b*v_b_1
-    nu_u_8 = 2.0*k_b*v_b_2
+    nu_u_6 = power_b_0*stretch_b
+    nu_u_7 = power_b_1*stretch_b
+    nu_u_8 = power_b_2*stretch_b
     # turn_a: Y nu_e, Y = ad of y [rad/s, m/s]
     turn_a_0 = nu_2*v_a_1 - nu_1*v_a_2
     turn_a_1 = nu_0*v_a_2 - nu_2*v_a_0
@@ -1176,14 +1260,14 @@ def _reaching(
     tail_a_5 = along_p_a*bend_a_2
     # twofold_a: h^2 - k m/2, of the double root [1]
     twofold_a = h_a*h_a - 0.5*k_a*m_a
-    # turn_b: v x nu_e [rad/s]
-    turn_b_0 = nu_8*v_b_1 - nu_7*v_b_2
-    turn_b_1 = nu_6*v_b_2 - nu_8*v_b_0
-    turn_b_2 = nu_7*v_b_0 - nu_6*v_b_1
-    # bend_b: v x (v x nu_e) [rad/s]
-    bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2
-    bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0
-    bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1
+    # turn_b: vector part x nu_e, its share [rad/s]
+    turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2
+    turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0
+    turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1
+    # bend_b: vector part x that [rad/s]
+    bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1
+    bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2
+    bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0
     # nu_u_dot: exact rate of nu_u [rad/s, m/s]
     nu_u_dot_0 = nu_0 + bend_a_0*h_a + k_a*turn_a_0
     nu_u_dot_1 = nu_1 + bend_a_1*h_a + k_a*turn_a_1
@@ -1191,9 +1275,9 @@ def _reaching(
     nu_u_dot_3 = nu_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a
     nu_u_dot_4 = nu_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a
     nu_u_dot_5 = nu_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a
-    nu_u_dot_6 = nu_6 + bend_b_0*h_b + k_b*turn_b_0
-    nu_u_dot_7 = nu_7 + bend_b_1*h_b + k_b*turn_b_1
-    nu_u_dot_8 = nu_8 + bend_b_2*h_b + k_b*turn_b_2
+    nu_u_dot_6 = nu_6 + bend_b_0*h_raw_b + reach_b*turn_b_0
+    nu_u_dot_7 = nu_7 + bend_b_1*h_raw_b + reach_b*turn_b_1
+    nu_u_dot_8 = nu_8 + bend_b_2*h_raw_b + reach_b*turn_b_2
     # drive: lambda nu_u [rad/s, m/s]
     drive_0 = phi_a_0*rate_gain
     drive_1 = phi_a_1*rate_gain
@@ -1357,21 +1441,21 @@ def _definiteness(
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
-    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
     lower_20 = inertia_2/divisor_0
     # lower_40: I = L D L^T, entry of L [1]
     lower_40 = inertia_4/divisor_0
-    # divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_1_if_0 = inertia_9.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, inertia_9, 1.0)
     # lower_31: I = L D L^T, entry of L [1]
     lower_31 = inertia_11/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_17 - inertia_0*lower_20*lower_20
-    # divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
+    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
     divisor_2_if_0 = pivot_2.real > 0.0
     divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_42: I = L D L^T, entry of L [1]
@@ -1456,32 +1540,24 @@ def _drift(
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8
     off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9
-    off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6
-    off_3 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
-    off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6
-    off_5 = g_e_10*g_e_10 - 1.0 + g_e_2*g_e_2 + g_e_6*g_e_6
-    off_6 = (
-        g_e_0*g_e_10*g_e_5 - 1.0 + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 - g_e_0*g_e_6*g_e_9 -
-        g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8
-    )
-    off_7 = g_e_16*g_e_16 - 1.0 + g_e_19*g_e_19 + g_e_22*g_e_22
-    off_8 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23
-    off_9 = g_e_16*g_e_18 + g_e_19*g_e_21 + g_e_22*g_e_24
-    off_10 = g_e_17*g_e_17 - 1.0 + g_e_20*g_e_20 + g_e_23*g_e_23
-    off_11 = g_e_17*g_e_18 + g_e_20*g_e_21 + g_e_23*g_e_24
-    off_12 = g_e_18*g_e_18 - 1.0 + g_e_21*g_e_21 + g_e_24*g_e_24
-    off_13 = (
-        g_e_16*g_e_20*g_e_24 - 1.0 + g_e_17*g_e_21*g_e_22 + g_e_18*g_e_19*g_e_23 -
-        g_e_16*g_e_21*g_e_23 - g_e_17*g_e_19*g_e_24 - g_e_18*g_e_20*g_e_22
-    )
-    off_17 = g_15 - 1.0
-    off_21 = g_r_15 - 1.0
+    off_2 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
+    off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9
+    off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8
+    off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5
+    off_6 = g_e_16*g_e_16 - 1.0 + g_e_19*g_e_19 + g_e_22*g_e_22
+    off_7 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23
+    off_8 = g_e_17*g_e_17 - 1.0 + g_e_20*g_e_20 + g_e_23*g_e_23
+    off_9 = g_e_18 + g_e_20*g_e_22 - g_e_19*g_e_23
+    off_10 = g_e_21 + g_e_16*g_e_23 - g_e_17*g_e_22
+    off_11 = g_e_24 + g_e_17*g_e_19 - g_e_16*g_e_20
+    off_15 = g_15 - 1.0
+    off_19 = g_r_15 - 1.0
     # drift: square of the distance from the group [1]
     drift = (
         g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 + g_r_14*g_r_14 +
-        off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_12*off_12 + off_13*off_13 +
-        off_17*off_17 + off_2*off_2 + off_21*off_21 + off_3*off_3 + off_4*off_4 + off_5*off_5 +
-        off_6*off_6 + off_7*off_7 + off_8*off_8 + off_9*off_9
+        off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_15*off_15 + off_19*off_19 +
+        off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 + off_6*off_6 + off_7*off_7 +
+        off_8*off_8 + off_9*off_9
     )
     # -- end --
     return (

@@ -38,59 +38,77 @@
  *     g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1',
  *     'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2'],
  *     ['eta_dot_2', 'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 -
- *     eta_1*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p =
- *     (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
- *     'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7',
- *     'B_8', 'B_9'], 'lines': [['B_0', '1.0F + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'],
- *     ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'],
- *     ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'],
- *     ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0F + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name':
- *     'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
- *     'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0',
- *     'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0
- *     >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2',
- *     'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'],
- *     ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines':
- *     [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]},
- *     {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source':
- *     '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1',
- *     'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
- *     B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
- *     ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3',
- *     'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm',
+ *     eta_1*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4, 'unit': '1', 'doc': "what B's
+ *     diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+ *     ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0F + g_e_0'],
+ *     ['pairs_1', '1.0F - g_e_0'], ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3', 'g_e_4 - g_e_8']],
+ *     'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows',
+ *     'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8',
+ *     'B_9'], 'lines': [['B_0', 'pairs_0 - pairs_2'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 +
+ *     g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_5 + g_e_7'],
+ *     ['B_6', 'g_e_2 - g_e_6'], ['B_7', 'pairs_1 - pairs_3'], ['B_8', 'g_e_3 - g_e_1'], ['B_9',
+ *     'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a
+ *     column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+ *     '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [], 'cases':
+ *     [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+ *     ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
+ *     'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+ *     'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+ *     ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
+ *     ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size':
+ *     4, 'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines':
+ *     [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
+ *     'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
+ *     B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
+ *     B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1',
+ *     'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+ *     '', 'names': ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 +
+ *     power_2*power_2']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its
+ *     squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['norm_square'], 'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []},
+ *     {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element',
+ *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'],
+ *     'lines': [], 'cases': [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded',
+ *     '49.0F']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm',
  *     'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(1.0e-30F + power_0*power_0 +
- *     power_1*power_1 + power_2*power_2 + power_3*power_3)']], 'cases': []}, {'name': 'scale',
- *     'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way round',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [],
- *     'cases': [{'condition': 'power_3 < 0.0F', 'lines': [['scale', '-1.0F/norm']]}, {'condition':
- *     '', 'lines': [['scale', '1.0F/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos
- *     of half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3,
- *     'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0',
- *     'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []}, {'name':
- *     'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar':
- *     True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k', 'cubesat_3u_f32_k(w)']],
- *     'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'], 'lines': [['h',
- *     '(1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w))']], 'cases': []}, {'name': 'nu_u', 'size':
- *     3, 'unit': 'rad', 'doc': 'kinematic law, the rotation vector', 'source': 'eq.
- *     (KinCtrlLawSO3)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0',
- *     'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', '2.0F*k*v_0'], ['nu_u_1', '2.0F*k*v_1'], ['nu_u_2',
- *     '2.0F*k*v_2']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e',
+ *     'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []},
+ *     {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
+ *     [['inverse_norm', '1.0F/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1',
+ *     'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar':
+ *     True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
+ *     'power_3 < 0.0F', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines':
+ *     [['scale', 'inverse_norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the
+ *     error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
+ *     'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc':
+ *     'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+ *     'names': ['k'], 'lines': [['k', 'cubesat_3u_f32_k(w)']], 'cases': []}, {'name': 'h_raw',
+ *     'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k", 'source':
+ *     '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_raw'], 'lines': [['h_raw',
+ *     '(1.0F - k*w)/(square + 1.0e-8F)']], 'cases': []}, {'name': 'reach', 'size': 1, 'unit': '1',
+ *     'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['reach'], 'lines': [['reach', 'k*scale']], 'cases': []}, {'name':
+ *     'stretch', 'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['stretch'], 'lines': [['stretch',
+ *     '2.0F*reach']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic
+ *     law, the rotation vector', 'source': 'eq. (KinCtrlLawSO3)', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
+ *     'power_0*stretch'], ['nu_u_1', 'power_1*stretch'], ['nu_u_2', 'power_2*stretch']], 'cases':
+ *     []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x nu_e, its share',
  *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1',
- *     'turn_2'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 -
- *     nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size':
- *     3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '',
- *     'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 -
- *     turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']],
- *     'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u',
- *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0',
- *     'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'],
- *     ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h +
- *     k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda
+ *     'turn_2'], 'lines': [['turn_0', 'nu_e_2*power_1 - nu_e_1*power_2'], ['turn_1',
+ *     'nu_e_0*power_2 - nu_e_2*power_0'], ['turn_2', 'nu_e_1*power_0 - nu_e_0*power_1']], 'cases':
+ *     []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'],
+ *     'lines': [['bend_0', 'power_1*turn_2 - power_2*turn_1'], ['bend_1', 'power_2*turn_0 -
+ *     power_0*turn_2'], ['bend_2', 'power_0*turn_1 - power_1*turn_0']], 'cases': []}, {'name':
+ *     'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
+ *     'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h_raw + reach*turn_0'],
+ *     ['nu_u_dot_1', 'nu_e_1 + bend_1*h_raw + reach*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h_raw
+ *     + reach*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda
  *     nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0',
  *     'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1',
  *     'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3,
@@ -102,9 +120,9 @@
  *     'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'],
  *     ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
  *     nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3,
- *     'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '',
- *     'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0',
- *     'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']],
+ *     'unit': 'rad/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines':
+ *     [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']],
  *     'cases': []}, {'name': 'whole_momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu and the
  *     internal momentum', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
  *     ['whole_momentum_0', 'whole_momentum_1', 'whole_momentum_2'], 'lines': [['whole_momentum_0',
@@ -125,8 +143,8 @@
  *     exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot',
  *     'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
  *     'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
- *     True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 188,
- *     'temporaries': 65, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+ *     True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 179,
+ *     'temporaries': 72, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
  *     'reference'], 'arguments': ['nu', 'momentum', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference':
  *     True, 'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float
  *     precision.
@@ -232,7 +250,7 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
 
 /**
  * Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
- * Unguarded: presumes what control checks. Cost: 233 operations, 74 temporaries.
+ * Unguarded: presumes what control checks. Cost: 224 operations, 81 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves
@@ -243,7 +261,7 @@ void cubesat_3u_f32_tracking(const cubesat_3u_f32_params *params, const cubesat_
 
 /**
  * Force that drives (g, nu) to (e, 0); eq. (Ctrl2).
- * Unguarded: presumes what control checks. Cost: 140 operations, 53 temporaries.
+ * Unguarded: presumes what control checks. Cost: 131 operations, 60 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[out] command what is to be done, and what it was made of

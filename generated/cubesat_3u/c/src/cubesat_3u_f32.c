@@ -37,63 +37,81 @@
          'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1'],
          ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 -
          eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 +
-         g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1',
-         'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3',
-         'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0F + g_e_0 - g_e_4 -
-         g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'],
-         ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 -
-         g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0F +
-         g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc':
-         'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
-         'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
-         ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
-         'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
-         'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
-         ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0',
-         'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name':
-         'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2',
-         'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
-         B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
-         ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3',
-         'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name':
-         'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(1.0e-30F +
-         power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)']], 'cases': []},
-         {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the
-         shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 < 0.0F', 'lines': [['scale',
-         '-1.0F/norm']]}, {'condition': '', 'lines': [['scale', '1.0F/norm']]}]}, {'name': 'w',
-         'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']],
-         'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle
-         times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'],
-         ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
-         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['k'], 'lines': [['k', 'cubesat_3u_f32_k(w)']], 'cases': []}, {'name': 'h', 'size': 1,
-         'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': '', 'names': ['h'], 'lines': [['h', '(1.0F - k*w)/(1.0e-30F + (1.0F +
-         w)*(1.0F - w))']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
-         'kinematic law, the rotation vector', 'source': 'eq. (KinCtrlLawSO3)', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
-         '2.0F*k*v_0'], ['nu_u_1', '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']], 'cases': []}, {'name':
-         'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0',
-         'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 -
-         nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x
-         nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0',
-         'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1',
-         'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name':
-         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
-         'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1',
-         'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'cases':
-         []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'],
-         'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
+         g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4, 'unit': '1',
+         'doc': "what B's diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0',
+         '1.0F + g_e_0'], ['pairs_1', '1.0F - g_e_0'], ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3',
+         'g_e_4 - g_e_8']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p
+         = (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5',
+         'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 - pairs_2'], ['B_1', 'g_e_1 +
+         g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', 'pairs_1 + pairs_3'],
+         ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', 'pairs_1 - pairs_3'], ['B_8',
+         'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column', 'size':
+         4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
+         'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0',
+         'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition':
+         '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
+         ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
+         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
+         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
+         ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after
+         one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
+         B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
+         B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
+         B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
+         'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of its vector
+         part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'],
+         'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']], 'cases': []},
+         {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines':
+         [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded',
+         'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases':
+         [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]}, {'condition':
+         '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1',
+         'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []}, {'name':
+         'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines': [['inverse_norm',
+         '1.0F/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit
+         length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 <
+         0.0F', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines': [['scale',
+         'inverse_norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error
+         angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
+         'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1',
+         'doc': 'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['k'], 'lines': [['k', 'cubesat_3u_f32_k(w)']], 'cases': []}, {'name':
+         'h_raw', 'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k",
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_raw'], 'lines':
+         [['h_raw', '(1.0F - k*w)/(square + 1.0e-8F)']], 'cases': []}, {'name': 'reach', 'size': 1,
+         'unit': '1', 'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['reach'], 'lines': [['reach', 'k*scale']], 'cases':
+         []}, {'name': 'stretch', 'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['stretch'], 'lines':
+         [['stretch', '2.0F*reach']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad',
+         'doc': 'kinematic law, the rotation vector', 'source': 'eq. (KinCtrlLawSO3)', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines':
+         [['nu_u_0', 'power_0*stretch'], ['nu_u_1', 'power_1*stretch'], ['nu_u_2',
+         'power_2*stretch']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc':
+         'vector part x nu_e, its share', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'nu_e_2*power_1 -
+         nu_e_1*power_2'], ['turn_1', 'nu_e_0*power_2 - nu_e_2*power_0'], ['turn_2', 'nu_e_1*power_0
+         - nu_e_0*power_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc':
+         'vector part x that', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'power_1*turn_2 -
+         power_2*turn_1'], ['bend_1', 'power_2*turn_0 - power_0*turn_2'], ['bend_2', 'power_0*turn_1
+         - power_1*turn_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc':
+         'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 +
+         bend_0*h_raw + reach*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h_raw + reach*turn_1'],
+         ['nu_u_dot_2', 'nu_e_2 + bend_2*h_raw + reach*turn_2']], 'cases': []}, {'name': 'drive',
+         'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines':
+         [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
          'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
          'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '',
          'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'],
@@ -103,9 +121,9 @@
          [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
          - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
          reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
-         'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'],
-         ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+         'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
+         nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
          'whole_momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu and the internal momentum',
          'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['whole_momentum_0',
          'whole_momentum_1', 'whole_momentum_2'], 'lines': [['whole_momentum_0', 'momentum_0 +
@@ -127,7 +145,7 @@
          False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
          'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
          locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
-         'entries': ['w']}], 'operations': 188, 'temporaries': 65, 'symbol': 'tracking',
+         'entries': ['w']}], 'operations': 179, 'temporaries': 72, 'symbol': 'tracking',
          'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
          'momentum', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
          'clearance'], 'public_writes': ['command', 'clearance']}, float precision.
@@ -211,17 +229,23 @@ static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 -
         eta_1*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_4 + g_e_8;
+    const float pairs_3 = g_e_4 - g_e_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_4 - g_e_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_3;
     const float B_2 = g_e_2 + g_e_6;
     const float B_3 = g_e_7 - g_e_5;
-    const float B_4 = 1.0F + g_e_4 - g_e_0 - g_e_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_5 + g_e_7;
     const float B_6 = g_e_2 - g_e_6;
-    const float B_7 = 1.0F + g_e_8 - g_e_0 - g_e_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_3 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_4 + g_e_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -253,51 +277,68 @@ static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
-
     /* k: half angle over its sine [1] */
     const float k = cubesat_3u_f32_k(w);
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w));
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
+
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = power_0*stretch;
+    const float nu_u_1 = power_1*stretch;
+    const float nu_u_2 = power_2*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = nu_e_2*power_1 - nu_e_1*power_2;
+    const float turn_1 = nu_e_0*power_2 - nu_e_2*power_0;
+    const float turn_2 = nu_e_1*power_0 - nu_e_0*power_1;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = power_1*turn_2 - power_2*turn_1;
+    const float bend_1 = power_2*turn_0 - power_0*turn_2;
+    const float bend_2 = power_0*turn_1 - power_1*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -314,10 +355,10 @@ static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* whole_momentum: I nu and the internal momentum [N m s] */
     const float whole_momentum_0 = momentum_0 + inertia_0*nu_0;
@@ -403,17 +444,23 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
     const float momentum_0 = state->momentum[0], momentum_1 = state->momentum[1],
         momentum_2 = state->momentum[2];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_0;
+    const float pairs_1 = 1.0F - g_0;
+    const float pairs_2 = g_4 + g_8;
+    const float pairs_3 = g_4 - g_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_0 - g_4 - g_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_1 + g_3;
     const float B_2 = g_2 + g_6;
     const float B_3 = g_7 - g_5;
-    const float B_4 = 1.0F + g_4 - g_0 - g_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_5 + g_7;
     const float B_6 = g_2 - g_6;
-    const float B_7 = 1.0F + g_8 - g_0 - g_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_3 - g_1;
-    const float B_9 = 1.0F + g_0 + g_4 + g_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -445,51 +492,68 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
-
     /* k: half angle over its sine [1] */
     const float k = cubesat_3u_f32_k(w);
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + (1.0F + w)*(1.0F - w));
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
+
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = power_0*stretch;
+    const float nu_u_1 = power_1*stretch;
+    const float nu_u_2 = power_2*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = nu_2*power_1 - nu_1*power_2;
+    const float turn_1 = nu_0*power_2 - nu_2*power_0;
+    const float turn_2 = nu_1*power_0 - nu_0*power_1;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = power_1*turn_2 - power_2*turn_1;
+    const float bend_1 = power_2*turn_0 - power_0*turn_2;
+    const float bend_2 = power_0*turn_1 - power_1*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -705,16 +769,14 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
     const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
-    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
-    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
-    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
-    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
-        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7;
+    const float off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6;
+    const float off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4;
 
     /* drift: square of the distance from the group [1] */
     const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
-        off_5*off_5 + off_6*off_6;
+        off_5*off_5;
 
     /* -- end -- */
 

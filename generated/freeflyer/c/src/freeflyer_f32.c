@@ -59,56 +59,74 @@
          eta_5*nu_e_0 + eta_dot_arm_0_0*g_e_1 + eta_dot_arm_0_1*g_e_5 + eta_dot_arm_0_2*g_e_9 -
          eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5', 'eta_0*nu_e_4 + eta_3*nu_e_1 +
          eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 -
-         eta_4*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p =
-         (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
+         eta_4*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4, 'unit': '1', 'doc': "what B's
+         diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0F +
+         g_e_0'], ['pairs_1', '1.0F - g_e_0'], ['pairs_2', 'g_e_10 + g_e_5'], ['pairs_3', 'g_e_5 -
+         g_e_10']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v,
+         w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
          'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6',
-         'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0F + g_e_0 - g_e_10 - g_e_5'], ['B_1', 'g_e_1 +
-         g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', '1.0F + g_e_5 - g_e_0
-         - g_e_10'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', '1.0F + g_e_10 -
-         g_e_0 - g_e_5'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', '1.0F + g_e_0 + g_e_10 + g_e_5']],
-         'cases': []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot
-         vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9
-         >= 1.0F', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'],
-         ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0',
-         'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4
-         >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'],
-         ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1',
-         'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit':
-         '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines':
-         [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
-         'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
-         B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
-         B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm', 'size': 1, 'unit': '1',
+         'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 - pairs_2'], ['B_1', 'g_e_1 + g_e_4'],
+         ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', 'pairs_1 + pairs_3'], ['B_5',
+         'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', 'pairs_1 - pairs_3'], ['B_8', 'g_e_4 -
+         g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column', 'size': 4, 'unit':
+         '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
+         'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+         ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
+         'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+         'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+         ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0',
+         'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name':
+         'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2',
+         'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
+         B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
+         ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3',
+         'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name':
+         'square', 'size': 1, 'unit': '1', 'doc': 'square of its vector part', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'], 'lines': [['square',
+         'power_0*power_0 + power_1*power_1 + power_2*power_2']], 'cases': []}, {'name':
+         'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines':
+         [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded',
+         'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases':
+         [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]}, {'condition':
+         '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1',
          'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['norm'], 'lines': [['norm', 'sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 +
-         power_2*power_2 + power_3*power_3)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit':
-         '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases':
-         [{'condition': 'power_3 < 0.0F', 'lines': [['scale', '-1.0F/norm']]}, {'condition': '',
-         'lines': [['scale', '1.0F/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of
-         half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3,
-         'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines':
-         [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases':
-         []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k',
-         'freeflyer_f32_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc':
-         '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'],
-         'lines': [['h', 'freeflyer_f32_h(w)']], 'cases': []}, {'name': 'phi', 'size': 3, 'unit':
-         'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['phi_0', 'phi_1', 'phi_2'], 'lines': [['phi_0', '2.0F*k*v_0'],
-         ['phi_1', '2.0F*k*v_1'], ['phi_2', '2.0F*k*v_2']], 'cases': []}, {'name': 'half', 'size':
-         1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['half'], 'lines': [['half', '0.5F/k']], 'cases': []}, {'name': 'swing_p',
-         'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['swing_p_0', 'swing_p_1', 'swing_p_2'], 'lines': [['swing_p_0',
-         'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'], ['swing_p_2',
-         'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name': 'sway_p', 'size': 3, 'unit': 'm', 'doc':
-         'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines': [['sway_p_0', 'swing_p_2*v_1 -
+         ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []}, {'name':
+         'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines': [['inverse_norm',
+         '1.0F/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit
+         length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 <
+         0.0F', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines': [['scale',
+         'inverse_norm']]}]}, {'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of half the
+         error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['cosine'], 'lines': [['cosine', 'power_3*scale']], 'cases': []}, {'name': 'w',
+         'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [], 'cases': [{'condition':
+         'cosine > 1.0F', 'lines': [['w', '1.0F']]}, {'condition': '', 'lines': [['w',
+         'cosine']]}]}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle
+         times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'],
+         ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['k'], 'lines': [['k', 'freeflyer_f32_k(w)']], 'cases': []}, {'name': 'h', 'size': 1,
+         'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['h'], 'lines': [['h', 'freeflyer_f32_h(w)']], 'cases': []}, {'name': 'phi',
+         'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['phi_0', 'phi_1', 'phi_2'], 'lines':
+         [['phi_0', '2.0F*k*v_0'], ['phi_1', '2.0F*k*v_1'], ['phi_2', '2.0F*k*v_2']], 'cases': []},
+         {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['half'], 'lines': [['half', '0.5F/k']], 'cases': []},
+         {'name': 'swing_p', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['swing_p_0', 'swing_p_1', 'swing_p_2'], 'lines':
+         [['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'],
+         ['swing_p_2', 'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name': 'sway_p', 'size': 3,
+         'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines': [['sway_p_0', 'swing_p_2*v_1 -
          swing_p_1*v_2'], ['sway_p_1', 'swing_p_0*v_2 - swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0
          - swing_p_0*v_1']], 'cases': []}, {'name': 'rho_p', 'size': 3, 'unit': 'm', 'doc': 'p - k Y
          p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
@@ -166,11 +184,11 @@
          reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'],
          ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5', 'eta_dot_5
          - nu_u_dot_5*rate_gain - reach_gain*s_5']], 'cases': []}, {'name': 'turning', 'size': 6,
-         'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2', 'turning_3',
-         'turning_4', 'turning_5'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1',
-         'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'],
-         ['turning_4', 'drive_4 - eta_4'], ['turning_5', 'drive_5 - eta_5']], 'cases': []}, {'name':
+         'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
+         'turning_3', 'turning_4', 'turning_5'], 'lines': [['turning_0', 's_0 - nu_0'],
+         ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'],
+         ['turning_4', 's_4 - nu_4'], ['turning_5', 's_5 - nu_5']], 'cases': []}, {'name':
          'momentum', 'size': 6, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar':
          False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2',
          'momentum_3', 'momentum_4', 'momentum_5'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
@@ -207,7 +225,7 @@
          'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3',
          'nu_u_dot_4', 'nu_u_dot_5']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc':
          'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': 'clearance', 'entries': ['w']}], 'operations': 490, 'temporaries': 126, 'symbol':
+         'member': 'clearance', 'entries': ['w']}], 'operations': 486, 'temporaries': 135, 'symbol':
          'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments':
          ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
          'clearance'], 'public_writes': ['command', 'clearance']}, float precision.
@@ -361,17 +379,23 @@ static float freeflyer_f32_law(const freeflyer_f32_params *params, const freefly
     const float eta_dot_5 = eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
         eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_10 + g_e_5;
+    const float pairs_3 = g_e_5 - g_e_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_10 - g_e_5;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_4;
     const float B_2 = g_e_2 + g_e_8;
     const float B_3 = g_e_9 - g_e_6;
-    const float B_4 = 1.0F + g_e_5 - g_e_0 - g_e_10;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_6 + g_e_9;
     const float B_6 = g_e_2 - g_e_8;
-    const float B_7 = 1.0F + g_e_10 - g_e_0 - g_e_5;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_4 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_10 + g_e_5;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -403,20 +427,44 @@ static float freeflyer_f32_law(const freeflyer_f32_params *params, const freefly
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const float w = power_3*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const float v_0 = power_0*scale;
@@ -519,13 +567,13 @@ static float freeflyer_f32_law(const freeflyer_f32_params *params, const freefly
     const float wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const float wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
-    const float turning_3 = drive_3 - eta_3;
-    const float turning_4 = drive_4 - eta_4;
-    const float turning_5 = drive_5 - eta_5;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+    const float turning_3 = s_3 - nu_3;
+    const float turning_4 = s_4 - nu_4;
+    const float turning_5 = s_5 - nu_5;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 +
@@ -596,7 +644,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
         inertia_15 = params->inertia[15], inertia_18 = params->inertia[18],
         inertia_20 = params->inertia[20];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -619,7 +667,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const float pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -642,7 +690,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
-    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_2;
     if (pivot_2 > 0.0F) {
         divisor_2 = pivot_2;
@@ -663,7 +711,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_15 - pivot_1*lower_31*lower_31 - pivot_2*lower_32*lower_32;
 
-    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_3;
     if (pivot_3 > 0.0F) {
         divisor_3 = pivot_3;
@@ -681,7 +729,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     const float pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
-    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_4;
     if (pivot_4 > 0.0F) {
         divisor_4 = pivot_4;
@@ -762,17 +810,23 @@ void freeflyer_f32_reaching(const freeflyer_f32_params *params, const freeflyer_
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2], nu_3 = state->nu[3],
         nu_4 = state->nu[4], nu_5 = state->nu[5];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_0;
+    const float pairs_1 = 1.0F - g_0;
+    const float pairs_2 = g_10 + g_5;
+    const float pairs_3 = g_5 - g_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_0 - g_10 - g_5;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_1 + g_4;
     const float B_2 = g_2 + g_8;
     const float B_3 = g_9 - g_6;
-    const float B_4 = 1.0F + g_5 - g_0 - g_10;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_6 + g_9;
     const float B_6 = g_2 - g_8;
-    const float B_7 = 1.0F + g_10 - g_0 - g_5;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_4 - g_1;
-    const float B_9 = 1.0F + g_0 + g_10 + g_5;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -804,20 +858,44 @@ void freeflyer_f32_reaching(const freeflyer_f32_params *params, const freeflyer_
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const float w = power_3*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const float v_0 = power_0*scale;
@@ -1281,19 +1359,17 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_4*g_e_4 + g_e_8*g_e_8;
     const float off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
-    const float off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
-    const float off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6;
-    const float off_5 = g_e_10*g_e_10 - 1.0F + g_e_2*g_e_2 + g_e_6*g_e_6;
-    const float off_6 = g_e_0*g_e_10*g_e_5 - 1.0F + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 -
-        g_e_0*g_e_6*g_e_9 - g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8;
-    const float off_10 = g_15 - 1.0F;
-    const float off_14 = g_r_15 - 1.0F;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const float off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const float off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const float off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const float off_9 = g_15 - 1.0F;
+    const float off_13 = g_r_15 - 1.0F;
 
     /* drift: square of the distance from the group [1] */
     const float drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
-        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_14*off_14 + off_2*off_2 +
-        off_3*off_3 + off_4*off_4 + off_5*off_5 + off_6*off_6;
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_13*off_13 + off_2*off_2 + off_3*off_3 +
+        off_4*off_4 + off_5*off_5 + off_9*off_9;
 
     /* -- end -- */
 

@@ -42,87 +42,103 @@
  *     eta_dot_arm_0_1*g_e_4 + nu_e_1*nu_r_0 - eta_1*nu_e_0']], 'cases': []}, {'name': 'twice',
  *     'size': 2, 'unit': '1', 'doc': '2 cos and 2 sin of the angle', 'source': '', 'is_scalar':
  *     False, 'holder': '', 'member': '', 'names': ['twice_0', 'twice_1'], 'lines': [['twice_0',
- *     'g_e_0 + g_e_4'], ['twice_1', 'g_e_3 - g_e_1']], 'cases': []}, {'name': 'norm', 'size': 1,
- *     'unit': '1', 'doc': 'their length', 'source': '', 'is_scalar': True, 'holder': '', 'member':
- *     '', 'names': ['norm'], 'lines': [['norm', 'sqrt(1.0e-290 + twice_0*twice_0 +
- *     twice_1*twice_1)']], 'cases': []}, {'name': 'column', 'size': 2, 'unit': '1', 'doc': 'cos >=
- *     0 and sin of half the angle, unscaled', 'source': '', 'is_scalar': False, 'holder': '',
- *     'member': '', 'names': ['column_0', 'column_1'], 'lines': [], 'cases': [{'condition':
- *     'twice_0 >= 0.0', 'lines': [['column_0', 'norm + twice_0'], ['column_1', 'twice_1']]},
- *     {'condition': 'twice_1 >= 0.0', 'lines': [['column_0', 'twice_1'], ['column_1', 'norm -
- *     twice_0']]}, {'condition': '', 'lines': [['column_0', '-twice_1'], ['column_1', 'twice_0 -
- *     norm']]}]}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
- *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [['scale',
- *     '1.0/sqrt(1.0e-290 + column_0*column_0 + column_1*column_1)']], 'cases': []}, {'name': 'w',
- *     'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
- *     True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'column_0*scale']],
- *     'cases': []}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': 'sin of half the error angle',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'], 'lines':
- *     [['sine', 'column_1*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc':
- *     'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['k'], 'lines': [['k', 'hovercraft_f64_k(w)']], 'cases': []}, {'name': 'h', 'size':
- *     1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['h'], 'lines': [['h', 'hovercraft_f64_h(w)']], 'cases': []}, {'name': 'phi',
- *     'size': 1, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['phi_0'], 'lines': [['phi_0', '2.0*k*sine']],
- *     'cases': []}, {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '',
- *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['half'], 'lines': [['half',
- *     '0.5/k']], 'cases': []}, {'name': 'turned_p', 'size': 2, 'unit': 'm', 'doc': 'p turned back
- *     by half the angle', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
- *     ['turned_p_0', 'turned_p_1'], 'lines': [['turned_p_0', 'g_e_2*w + g_e_5*sine'],
- *     ['turned_p_1', 'g_e_5*w - g_e_2*sine']], 'cases': []}, {'name': 'rho_p', 'size': 2, 'unit':
- *     'm', 'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member':
- *     '', 'names': ['rho_p_0', 'rho_p_1'], 'lines': [['rho_p_0', 'k*turned_p_0'], ['rho_p_1',
- *     'k*turned_p_1']], 'cases': []}, {'name': 'y_p', 'size': 2, 'unit': 'm', 'doc': 'rho/(2 k)',
- *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1'],
- *     'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1', 'half*rho_p_1']], 'cases': []}, {'name':
- *     'turn', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_1', 'turn_2'], 'lines':
- *     [['turn_1', 'nu_e_0*y_p_1 - nu_e_2*sine'], ['turn_2', 'nu_e_1*sine - nu_e_0*y_p_0']],
- *     'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source':
- *     '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_1', 'bend_2'], 'lines':
- *     [['bend_1', '-sine*turn_2'], ['bend_2', 'sine*turn_1']], 'cases': []}, {'name': 'nu_u_dot',
- *     'size': 3, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['nu_u_dot_1', 'nu_u_dot_2'], 'lines':
- *     [['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h +
- *     k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'lambda
- *     nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0',
- *     'drive_1', 'drive_2'], 'lines': [['drive_0', 'phi_0*rate_gain'], ['drive_1',
- *     'rate_gain*rho_p_0'], ['drive_2', 'rate_gain*rho_p_1']], 'cases': []}, {'name': 's', 'size':
- *     3, 'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines':
- *     [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']],
- *     'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration
- *     asked for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
- *     ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'nu_r_dot_0 - nu_e_0*rate_gain -
- *     reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'],
- *     ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name':
- *     'turning', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1',
- *     'turning_2'], 'lines': [['turning_0', 'drive_0 - nu_r_0'], ['turning_1', 'drive_1 - eta_1'],
- *     ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N m
- *     s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
- *     'names': ['momentum_1', 'momentum_2'], 'lines': [['momentum_1', 'inertia_3*nu_1'],
- *     ['momentum_2', 'inertia_2*nu_0 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size':
- *     3, 'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines':
- *     [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 -
- *     momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0'], ['force_2',
- *     'inertia_2*wanted_0 + inertia_5*wanted_2 - momentum_1*turning_0']], 'cases': []}], 'outputs':
- *     [{'name': 'force', 'size': 3, 'unit': 'N m, N', 'doc': 'control force', 'source': '',
- *     'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries': ['force_0', 'force_1',
- *     'force_2']}, {'name': 's', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'sliding variable',
- *     'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0',
- *     's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit': 'rad, m', 'doc': 'kinematic law',
- *     'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['phi_0',
- *     'rho_p_0', 'rho_p_1']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'its
- *     exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot',
- *     'entries': ['nu_e_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit':
- *     '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True,
- *     'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 120, 'temporaries':
- *     52, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
- *     'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
- *     'clearance'], 'public_writes': ['command', 'clearance']}, double precision.
+ *     'g_e_0 + g_e_4'], ['twice_1', 'g_e_3 - g_e_1']], 'cases': []}, {'name': 'norm_square',
+ *     'size': 1, 'unit': '1', 'doc': 'their squared length', 'source': '', 'is_scalar': True,
+ *     'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square',
+ *     'twice_0*twice_0 + twice_1*twice_1']], 'cases': []}, {'name': 'norm_bounded', 'size': 1,
+ *     'unit': '1', 'doc': 'the same: less is no turn', 'source': '', 'is_scalar': True, 'holder':
+ *     '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition':
+ *     'norm_square < 3.0', 'lines': [['norm_bounded', '3.0']]}, {'condition': '', 'lines':
+ *     [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'their
+ *     length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'],
+ *     'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []}, {'name': 'column', 'size': 2,
+ *     'unit': '1', 'doc': 'cos >= 0 and sin of half the angle, unscaled', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1'], 'lines':
+ *     [], 'cases': [{'condition': 'twice_0 >= 0.0', 'lines': [['column_0', 'norm + twice_0'],
+ *     ['column_1', 'twice_1']]}, {'condition': 'twice_1 >= 0.0', 'lines': [['column_0', 'twice_1'],
+ *     ['column_1', 'norm - twice_0']]}, {'condition': '', 'lines': [['column_0', '-twice_1'],
+ *     ['column_1', 'twice_0 - norm']]}]}, {'name': 'column_square', 'size': 1, 'unit': '1', 'doc':
+ *     'squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['column_square'], 'lines': [['column_square', 'column_0*column_0 + column_1*column_1']],
+ *     'cases': []}, {'name': 'column_bounded', 'size': 1, 'unit': '1', 'doc': 'the same', 'source':
+ *     '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['column_bounded'], 'lines': [],
+ *     'cases': [{'condition': 'column_square < 3.0', 'lines': [['column_bounded', '3.0']]},
+ *     {'condition': '', 'lines': [['column_bounded', 'column_square']]}]}, {'name': 'scale',
+ *     'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder':
+ *     '', 'member': '', 'names': ['scale'], 'lines': [['scale', '1.0/sqrt(column_bounded)']],
+ *     'cases': []}, {'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle,
+ *     rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['cosine'],
+ *     'lines': [['cosine', 'column_0*scale']], 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1',
+ *     'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['w'], 'lines': [], 'cases': [{'condition': 'cosine > 1.0', 'lines':
+ *     [['w', '1.0']]}, {'condition': '', 'lines': [['w', 'cosine']]}]}, {'name': 'sine', 'size': 1,
+ *     'unit': '1', 'doc': 'sin of half the error angle', 'source': '', 'is_scalar': True, 'holder':
+ *     '', 'member': '', 'names': ['sine'], 'lines': [['sine', 'column_1*scale']], 'cases': []},
+ *     {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k',
+ *     'hovercraft_f64_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw',
+ *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'], 'lines': [['h',
+ *     'hovercraft_f64_h(w)']], 'cases': []}, {'name': 'phi', 'size': 1, 'unit': 'rad', 'doc':
+ *     'rotation vector of the error', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['phi_0'], 'lines': [['phi_0', '2.0*k*sine']], 'cases': []}, {'name': 'half',
+ *     'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['half'], 'lines': [['half', '0.5/k']], 'cases': []}, {'name':
+ *     'turned_p', 'size': 2, 'unit': 'm', 'doc': 'p turned back by half the angle', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['turned_p_0', 'turned_p_1'],
+ *     'lines': [['turned_p_0', 'g_e_2*w + g_e_5*sine'], ['turned_p_1', 'g_e_5*w - g_e_2*sine']],
+ *     'cases': []}, {'name': 'rho_p', 'size': 2, 'unit': 'm', 'doc': 'p - k Y p + h Y Y p',
+ *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['rho_p_0',
+ *     'rho_p_1'], 'lines': [['rho_p_0', 'k*turned_p_0'], ['rho_p_1', 'k*turned_p_1']], 'cases':
+ *     []}, {'name': 'y_p', 'size': 2, 'unit': 'm', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar':
+ *     False, 'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1'], 'lines': [['y_p_0',
+ *     'half*rho_p_0'], ['y_p_1', 'half*rho_p_1']], 'cases': []}, {'name': 'turn', 'size': 3,
+ *     'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['turn_1', 'turn_2'], 'lines': [['turn_1', 'nu_e_0*y_p_1
+ *     - nu_e_2*sine'], ['turn_2', 'nu_e_1*sine - nu_e_0*y_p_0']], 'cases': []}, {'name': 'bend',
+ *     'size': 3, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['bend_1', 'bend_2'], 'lines': [['bend_1',
+ *     '-sine*turn_2'], ['bend_2', 'sine*turn_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3,
+ *     'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_1',
+ *     'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'cases':
+ *     []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'],
+ *     'lines': [['drive_0', 'phi_0*rate_gain'], ['drive_1', 'rate_gain*rho_p_0'], ['drive_2',
+ *     'rate_gain*rho_p_1']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s, m/s', 'doc':
+ *     'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member':
+ *     '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 +
+ *     nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit':
+ *     'rad/s^2, m/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
+ *     [['wanted_0', 'nu_r_dot_0 - nu_e_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
+ *     nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
+ *     reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s, m/s', 'doc':
+ *     'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 - nu_0'],
+ *     ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name': 'momentum',
+ *     'size': 3, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder':
+ *     '', 'member': '', 'names': ['momentum_1', 'momentum_2'], 'lines': [['momentum_1',
+ *     'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0 + inertia_5*nu_2']], 'cases': []}, {'name':
+ *     'force', 'size': 3, 'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq.
+ *     (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1',
+ *     'force_2'], 'lines': [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 +
+ *     momentum_1*turning_2 - momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1 +
+ *     momentum_2*turning_0'], ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2 -
+ *     momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N
+ *     m, N', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
+ *     'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
+ *     'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+ *     'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
+ *     'unit': 'rad, m', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
+ *     'command', 'member': 'nu_u', 'entries': ['phi_0', 'rho_p_0', 'rho_p_1']}, {'name':
+ *     'nu_u_dot', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source': '',
+ *     'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_e_0',
+ *     'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance
+ *     from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+ *     'clearance', 'entries': ['w']}], 'operations': 118, 'temporaries': 57, 'symbol': 'tracking',
+ *     'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r',
+ *     'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
+ *     'public_writes': ['command', 'clearance']}, double precision.
  *
  * Generated by derive from the vehicle file hovercraft.toml; regenerate instead of editing.
  *
@@ -223,7 +239,7 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
 
 /**
  * Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
- * Unguarded: presumes what control checks. Cost: 140 operations, 60 temporaries.
+ * Unguarded: presumes what control checks. Cost: 138 operations, 65 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves
@@ -234,7 +250,7 @@ void hovercraft_f64_tracking(const hovercraft_f64_params *params, const hovercra
 
 /**
  * Force that drives (g, nu) to (e, 0); eq. (Ctrl2).
- * Unguarded: presumes what control checks. Cost: 86 operations, 38 temporaries.
+ * Unguarded: presumes what control checks. Cost: 84 operations, 43 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[out] command what is to be done, and what it was made of

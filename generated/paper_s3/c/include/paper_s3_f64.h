@@ -21,115 +21,128 @@
  *     'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source':
  *     'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0],
  *     ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape': (4,)}], 'steps':
- *     [{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1: reference to body frame',
- *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['to_body_0',
- *     'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7',
- *     'to_body_8'], 'lines': [['to_body_0', '1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3'],
- *     ['to_body_1', '2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2', '2.0*(g_e_1*g_e_3 -
- *     g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)'], ['to_body_4', '1.0 -
- *     2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5', '2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)'],
- *     ['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7', '2.0*(g_e_2*g_e_3 -
- *     g_e_0*g_e_1)'], ['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2']], 'cases': []},
- *     {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in the body frame',
- *     'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0',
- *     'eta_1', 'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 +
- *     nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5'],
- *     ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'cases': []}, {'name':
- *     'nu_e', 'size': 3, 'unit': 'rad/s', 'doc': 'velocity error', 'source': 'eq. (velErr)',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'],
- *     'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 -
- *     eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'exact rate
- *     of eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0',
- *     'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 +
- *     nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 +
- *     nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
- *     ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
- *     nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name': 'norm', 'size': 1, 'unit':
- *     '1', 'doc': 'length of the quaternion', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrt(1.0e-290 + g_e_0*g_e_0 +
- *     g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3)']], 'cases': []}, {'name': 'scale', 'size': 1,
- *     'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['scale'], 'lines': [['scale', '1.0/norm']], 'cases': []}, {'name':
- *     'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
- *     True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'g_e_0*scale']], 'cases':
- *     []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its
- *     axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1',
- *     'v_2'], 'lines': [['v_0', 'g_e_1*scale'], ['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']],
- *     'cases': []}, {'name': 'k_near', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine,
- *     for |w|', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_near'],
- *     'lines': [['k_near', 'paper_s3_f64_k(fabs(w))']], 'cases': []}, {'name': 'sine', 'size': 1,
- *     'unit': '1', 'doc': '|v|', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['sine'], 'lines': [['sine', 'sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)']], 'cases': []},
- *     {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, on to 2 pi',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [],
- *     'cases': [{'condition': 'w >= 0.0', 'lines': [['k', 'k_near']]}, {'condition': 'sine >
- *     1.0e-60', 'lines': [['k', '3.141592653589793/(sine + 1.0e-290) - k_near']]}, {'condition':
- *     '', 'lines': [['k', '0.0']]}]}, {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 -
- *     w k)/s^2', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'],
- *     'lines': [['h', '(1.0 - k*w)/(1.0e-290 + v_0*v_0 + v_1*v_1 + v_2*v_2)']], 'cases': []},
- *     {'name': 'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i', 'source': '',
+ *     [{'name': 'double', 'size': 3, 'unit': '1', 'doc': 'twice the vector part', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['double_0', 'double_1',
+ *     'double_2'], 'lines': [['double_0', '2.0*g_e_1'], ['double_1', '2.0*g_e_2'], ['double_2',
+ *     '2.0*g_e_3']], 'cases': []}, {'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of
+ *     g_e^-1: reference to body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+ *     '', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5',
+ *     'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', '1.0 - double_1*g_e_2 -
+ *     double_2*g_e_3'], ['to_body_1', 'double_0*g_e_2 + double_2*g_e_0'], ['to_body_2',
+ *     'double_0*g_e_3 - double_1*g_e_0'], ['to_body_3', 'double_0*g_e_2 - double_2*g_e_0'],
+ *     ['to_body_4', '1.0 - double_0*g_e_1 - double_2*g_e_3'], ['to_body_5', 'double_0*g_e_0 +
+ *     double_1*g_e_3'], ['to_body_6', 'double_0*g_e_3 + double_1*g_e_0'], ['to_body_7',
+ *     'double_1*g_e_3 - double_0*g_e_0'], ['to_body_8', '1.0 - double_0*g_e_1 - double_1*g_e_2']],
+ *     'cases': []}, {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in the
+ *     body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 +
+ *     nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 +
+ *     nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']],
+ *     'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc': 'velocity error', 'source':
+ *     'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1',
+ *     'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2
+ *     - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'exact
+ *     rate of eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+ *     ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 +
+ *     nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'],
+ *     ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+ *     nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
+ *     nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name':
+ *     'square', 'size': 1, 'unit': '1', 'doc': 'square of its vector part', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'], 'lines': [['square',
+ *     'g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []}, {'name': 'norm_square', 'size': 1,
+ *     'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'square + g_e_0*g_e_0']],
+ *     'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no
+ *     element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square < 1.0e-8', 'lines':
+ *     [['norm_bounded', '1.0e-8']]}, {'condition': '', 'lines': [['norm_bounded',
+ *     'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source':
+ *     '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
+ *     'sqrt(norm_bounded)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
+ *     unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['scale'], 'lines': [['scale', '1.0/norm']], 'cases': []}, {'name': 'w', 'size': 1, 'unit':
+ *     '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['w'], 'lines': [['w', 'g_e_0*scale']], 'cases': []}, {'name':
+ *     'k_near', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, for |w|', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_near'], 'lines': [['k_near',
+ *     'paper_s3_f64_k(fabs(w))']], 'cases': []}, {'name': 'divisor', 'size': 1, 'unit': '1', 'doc':
+ *     'the same, never zero', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['divisor'], 'lines': [], 'cases': [{'condition': 'w >= 0.0', 'lines': [['divisor', 'square +
+ *     1.0e-17']]}, {'condition': 'square > (1.0e-60*1.0e-60)', 'lines': [['divisor', 'square']]},
+ *     {'condition': '', 'lines': [['divisor', '1.0e-60*1.0e-60']]}]}, {'name': 'distance', 'size':
+ *     1, 'unit': '1', 'doc': 'distance from -i: |v| beyond pi, and 1 before', 'source': '',
  *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['distance'], 'lines': [], 'cases':
- *     [{'condition': 'w < 0.0', 'lines': [['distance', 'sqrt(v_0*v_0 + v_1*v_1 + v_2*v_2)']]},
- *     {'condition': '', 'lines': [['distance', '1.0']]}]}, {'name': 'p', 'size': 1, 'unit': '1',
- *     'doc': 'half of nu_u over v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'drop', 'size': 1, 'unit':
- *     '1', 'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
- *     ['drop'], 'lines': [['drop', '0.5*h']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit':
- *     'rad', 'doc': 'kinematic law, half the rotation vector', 'source': 'eq. (KinCtrlLawS3)',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'],
- *     'lines': [['nu_u_0', '2.0*p*v_0'], ['nu_u_1', '2.0*p*v_1'], ['nu_u_2', '2.0*p*v_2']],
- *     'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '',
+ *     [{'condition': 'w >= 0.0', 'lines': [['distance', '1.0']]}, {'condition': '', 'lines':
+ *     [['distance', 'scale*sqrt(divisor)']]}]}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+ *     angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+ *     '', 'names': ['k'], 'lines': [], 'cases': [{'condition': 'w >= 0.0', 'lines': [['k',
+ *     'k_near']]}, {'condition': '', 'lines': [['k', '3.141592653589793/distance - k_near']]}]},
+ *     {'name': 'h_raw', 'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1
+ *     - w k", 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_raw'],
+ *     'lines': [['h_raw', '(1.0 - k*w)/divisor']], 'cases': []}, {'name': 'reach', 'size': 1,
+ *     'unit': '1', 'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True,
+ *     'holder': '', 'member': '', 'names': ['reach'], 'lines': [['reach', 'k*scale']], 'cases':
+ *     []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law, half the rotation
+ *     vector', 'source': 'eq. (KinCtrlLawS3)', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', 'g_e_1*reach'], ['nu_u_1',
+ *     'g_e_2*reach'], ['nu_u_2', 'g_e_3*reach']], 'cases': []}, {'name': 'part', 'size': 3, 'unit':
+ *     'rad/s', 'doc': 'what the law has of nu_e at the identity', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['part_0', 'part_1', 'part_2'], 'lines': [['part_0',
+ *     '0.5*nu_e_0'], ['part_1', '0.5*nu_e_1'], ['part_2', '0.5*nu_e_2']], 'cases': []}, {'name':
+ *     'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x nu_e, its share', 'source': '',
  *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'],
- *     'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'],
- *     ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit':
- *     'rad/s', 'doc': 'v x (v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member':
- *     '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'],
- *     ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'cases': []},
- *     {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
- *     'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5*nu_e_0 + bend_0*drop + p*turn_0'],
- *     ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*drop + p*turn_1'], ['nu_u_dot_2', '0.5*nu_e_2 +
- *     bend_2*drop + p*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
- *     'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
- *     ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1',
- *     'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3,
- *     'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False,
- *     'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 +
- *     nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name':
- *     'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1',
- *     'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'],
- *     ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
- *     nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3,
- *     'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '',
- *     'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0',
- *     'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']],
- *     'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1',
- *     'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'],
- *     ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'], ['momentum_2',
- *     'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size':
- *     3, 'unit': 'N m', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines':
- *     [['force_0', 'inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 +
- *     momentum_1*turning_2 - momentum_2*turning_1'], ['force_1', 'inertia_1*wanted_0 +
- *     inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_2*turning_0 - momentum_0*turning_2'],
- *     ['force_2', 'inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 +
- *     momentum_0*turning_1 - momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force',
- *     'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
- *     'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False,
- *     'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u',
- *     'size': 3, 'unit': 'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
- *     'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'nu_u_dot',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False,
- *     'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
- *     'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
- *     locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
- *     'entries': ['distance']}], 'operations': 219, 'temporaries': 61, 'symbol': 'tracking',
- *     'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r',
- *     'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
- *     'public_writes': ['command', 'clearance']}, double precision.
+ *     'lines': [['turn_0', 'g_e_2*part_2 - g_e_3*part_1'], ['turn_1', 'g_e_3*part_0 -
+ *     g_e_1*part_2'], ['turn_2', 'g_e_1*part_1 - g_e_2*part_0']], 'cases': []}, {'name': 'bend',
+ *     'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0',
+ *     'g_e_2*turn_2 - g_e_3*turn_1'], ['bend_1', 'g_e_3*turn_0 - g_e_1*turn_2'], ['bend_2',
+ *     'g_e_1*turn_1 - g_e_2*turn_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit':
+ *     'rad/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0',
+ *     'part_0 + bend_0*h_raw + reach*turn_0'], ['nu_u_dot_1', 'part_1 + bend_1*h_raw +
+ *     reach*turn_1'], ['nu_u_dot_2', 'part_2 + bend_2*h_raw + reach*turn_2']], 'cases': []},
+ *     {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'],
+ *     'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
+ *     'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
+ *     variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 +
+ *     nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit':
+ *     'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0',
+ *     'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
+ *     nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
+ *     reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
+ *     'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 - nu_0'],
+ *     ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name': 'momentum',
+ *     'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
+ *     'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 +
+ *     inertia_3*nu_1 + inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 +
+ *     inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control
+ *     force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'inertia_0*wanted_0 +
+ *     inertia_1*wanted_1 + inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'],
+ *     ['force_1', 'inertia_1*wanted_0 + inertia_3*wanted_1 + inertia_4*wanted_2 +
+ *     momentum_2*turning_0 - momentum_0*turning_2'], ['force_2', 'inertia_2*wanted_0 +
+ *     inertia_4*wanted_1 + inertia_5*wanted_2 + momentum_0*turning_1 - momentum_1*turning_0']],
+ *     'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control
+ *     force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries':
+ *     ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
+ *     variable', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries':
+ *     ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law',
+ *     'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries':
+ *     ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its
+ *     exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot',
+ *     'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
+ *     'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
+ *     True, 'holder': '', 'member': 'clearance', 'entries': ['distance']}], 'operations': 190,
+ *     'temporaries': 66, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+ *     'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
+ *     'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
+ *     precision.
  *
  * Generated by derive from the vehicle file paper_s3.toml; regenerate instead of editing.
  *
@@ -230,7 +243,7 @@ paper_s3_f64_status paper_s3_f64_control(const paper_s3_f64_params *params,
 
 /**
  * Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
- * Unguarded: presumes what control checks. Cost: 247 operations, 65 temporaries.
+ * Unguarded: presumes what control checks. Cost: 218 operations, 70 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves
@@ -241,7 +254,7 @@ void paper_s3_f64_tracking(const paper_s3_f64_params *params, const paper_s3_f64
 
 /**
  * Force that drives (g, nu) to (e, 0); eq. (Ctrl2).
- * Unguarded: presumes what control checks. Cost: 131 operations, 39 temporaries.
+ * Unguarded: presumes what control checks. Cost: 116 operations, 42 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[out] command what is to be done, and what it was made of

@@ -171,7 +171,7 @@ static void paper_so3_lsf_printed_f32_definiteness(const paper_so3_lsf_printed_f
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -188,7 +188,7 @@ static void paper_so3_lsf_printed_f32_definiteness(const paper_so3_lsf_printed_f
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -409,16 +409,14 @@ paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_control(const
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
     const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
-    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
-    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
-    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
-    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
-        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7;
+    const float off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6;
+    const float off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4;
 
     /* drift: square of the distance from the group [1] */
     const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
-        off_5*off_5 + off_6*off_6;
+        off_5*off_5;
 
     /* -- end -- */
 

@@ -34,68 +34,83 @@
  *     ['given_0', 'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1
  *     + g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
  *     ['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []},
- *     {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source':
- *     'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
- *     'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines':
- *     [['B_0', '1.0 + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'],
- *     ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0 + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'],
- *     ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0 + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'],
- *     ['B_9', '1.0 + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name': 'column', 'size': 4, 'unit':
- *     '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder':
- *     '', 'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
- *     'cases': [{'condition': 'B_9 >= 1.0', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
- *     ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
- *     'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
- *     'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
- *     ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
- *     ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size':
- *     4, 'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False,
- *     'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines':
- *     [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
- *     'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
- *     B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
- *     B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc':
- *     'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'],
- *     'lines': [['norm', 'sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
- *     power_3*power_3)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit
- *     length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 < 0.0',
- *     'lines': [['scale', '-1.0/norm']]}, {'condition': '', 'lines': [['scale', '1.0/norm']]}]},
- *     {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
- *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w',
- *     'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half
- *     the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member':
- *     '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1',
- *     'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'ratio', 'size': 1,
- *     'unit': '1/s', 'doc': 'k_R/k_Omega', 'source': '', 'is_scalar': True, 'holder': '', 'member':
- *     '', 'names': ['ratio'], 'lines': [['ratio', 'k_R/k_Omega']], 'cases': []}, {'name': 's',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (s3)', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0
- *     + ratio*v_0'], ['s_1', 'nu_e_1 + ratio*v_1'], ['s_2', 'nu_e_2 + ratio*v_2']], 'cases': []},
- *     {'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'],
- *     'lines': [['momentum_0', 'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'],
- *     ['momentum_1', 'eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2',
- *     'eta_0*inertia_2 + eta_1*inertia_4 + eta_2*inertia_5']], 'cases': []}, {'name': 'force',
- *     'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': 'eq. (Ctrls3)', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines':
- *     [['force_0', 'eta_1*momentum_2 + given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2 -
- *     eta_2*momentum_1 - k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 + given_0*inertia_1 +
- *     given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'], ['force_2',
- *     'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 -
+ *     {'name': 'pairs', 'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source':
+ *     '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['pairs_0', 'pairs_1',
+ *     'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0 + g_e_0'], ['pairs_1', '1.0 - g_e_0'],
+ *     ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3', 'g_e_4 - g_e_8']], 'cases': []}, {'name': 'B',
+ *     'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of
+ *     Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0',
+ *     'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 -
+ *     pairs_2'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'],
+ *     ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7',
+ *     'pairs_1 - pairs_3'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []},
+ *     {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish',
+ *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0',
+ *     'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0',
+ *     'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
+ *     'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
+ *     ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7',
+ *     'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
+ *     'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2',
+ *     'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column
+ *     after one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+ *     ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
+ *     B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
+ *     B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
+ *     B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
+ *     'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of its vector part',
+ *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'], 'lines':
+ *     [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']], 'cases': []}, {'name':
+ *     'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines':
+ *     [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size':
+ *     1, 'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True,
+ *     'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition':
+ *     'norm_square < 49.0', 'lines': [['norm_bounded', '49.0']]}, {'condition': '', 'lines':
+ *     [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its
+ *     length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'],
+ *     'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []}, {'name': 'inverse_norm', 'size': 1,
+ *     'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['inverse_norm'], 'lines': [['inverse_norm', '1.0/norm']], 'cases':
+ *     []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the
+ *     shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 < 0.0', 'lines': [['scale',
+ *     '-inverse_norm']]}, {'condition': '', 'lines': [['scale', 'inverse_norm']]}]}, {'name': 'w',
+ *     'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
+ *     True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']], 'cases':
+ *     []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'attitude error, sin(angle/2) axis',
+ *     'source': 'eq. (s3)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0',
+ *     'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', 'power_0*scale'], ['nu_u_1', 'power_1*scale'],
+ *     ['nu_u_2', 'power_2*scale']], 'cases': []}, {'name': 'ratio', 'size': 1, 'unit': '1/s',
+ *     'doc': 'k_R/k_Omega', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['ratio'], 'lines': [['ratio', 'k_R/k_Omega']], 'cases': []}, {'name': 's', 'size': 3,
+ *     'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (s3)', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 +
+ *     nu_u_0*ratio'], ['s_1', 'nu_e_1 + nu_u_1*ratio'], ['s_2', 'nu_e_2 + nu_u_2*ratio']], 'cases':
+ *     []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I eta', 'source': '',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1',
+ *     'momentum_2'], 'lines': [['momentum_0', 'eta_0*inertia_0 + eta_1*inertia_1 +
+ *     eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4'],
+ *     ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 + eta_2*inertia_5']], 'cases': []},
+ *     {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': 'eq. (Ctrls3)',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'],
+ *     'lines': [['force_0', 'eta_1*momentum_2 + given_0*inertia_0 + given_1*inertia_1 +
+ *     given_2*inertia_2 - eta_2*momentum_1 - k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 +
+ *     given_0*inertia_1 + given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'],
+ *     ['force_2', 'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 -
  *     eta_1*momentum_0 - k_Omega*s_2']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
  *     'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
  *     'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
  *     'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
  *     'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
  *     'unit': 'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder':
- *     'command', 'member': 'nu_u', 'entries': ['v_0', 'v_1', 'v_2']}, {'name': 'clearance', 'size':
- *     1, 'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
- *     True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 148,
- *     'temporaries': 43, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
- *     'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
- *     'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
- *     precision.
+ *     'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
+ *     'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the law',
+ *     'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries': ['w']}],
+ *     'operations': 144, 'temporaries': 51, 'symbol': 'tracking', 'is_public': False, 'holders':
+ *     ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
+ *     'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes': ['command',
+ *     'clearance']}, double precision.
  *
  * Generated by derive from the vehicle file paper_so3_pd_plus.toml; regenerate instead of editing.
  *
@@ -201,7 +216,7 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_control(const paper_so3_pd_pl
 
 /**
  * PD+ force that tracks (g_r, nu_r); eq. (Ctrls3).
- * Unguarded: presumes what control checks. Cost: 193 operations, 52 temporaries.
+ * Unguarded: presumes what control checks. Cost: 189 operations, 60 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves

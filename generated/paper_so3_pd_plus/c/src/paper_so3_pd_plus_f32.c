@@ -34,48 +34,62 @@
          'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 +
          g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
          ['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []},
-         {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source':
-         'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines':
-         [['B_0', '1.0F + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 +
-         g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5
-         + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8',
-         'g_e_3 - g_e_1'], ['B_9', '1.0F + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name':
-         'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1',
-         'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0F', 'lines':
-         [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]},
-         {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1',
-         'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
-         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
-         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
-         ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after
-         one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
-         B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
-         B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
-         B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
-         'cases': []}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
-         'sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-         power_3*power_3)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
-         unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
-         'power_3 < 0.0F', 'lines': [['scale', '-1.0F/norm']]}, {'condition': '', 'lines':
-         [['scale', '1.0F/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the
-         error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
-         'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1',
-         'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0',
-         'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []},
-         {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'], 'lines': [['ratio',
+         {'name': 'pairs', 'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source':
+         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['pairs_0', 'pairs_1',
+         'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0F + g_e_0'], ['pairs_1', '1.0F - g_e_0'],
+         ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3', 'g_e_4 - g_e_8']], 'cases': []}, {'name': 'B',
+         'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of
+         Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0',
+         'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0
+         - pairs_2'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'],
+         ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7',
+         'pairs_1 - pairs_3'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases':
+         []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0',
+         'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0F',
+         'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
+         'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
+         ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >=
+         B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
+         'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'],
+         ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1',
+         'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0',
+         'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 +
+         B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
+         B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
+         B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of
+         its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']],
+         'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'],
+         'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name':
+         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
+         'cases': [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]},
+         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
+         1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []},
+         {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
+         [['inverse_norm', '1.0F/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1',
+         'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
+         'power_3 < 0.0F', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines':
+         [['scale', 'inverse_norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half
+         the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit':
+         'rad', 'doc': 'attitude error, sin(angle/2) axis', 'source': 'eq. (s3)', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines':
+         [['nu_u_0', 'power_0*scale'], ['nu_u_1', 'power_1*scale'], ['nu_u_2', 'power_2*scale']],
+         'cases': []}, {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'], 'lines': [['ratio',
          'k_R/k_Omega']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
          variable', 'source': 'eq. (s3)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 + ratio*v_0'], ['s_1', 'nu_e_1 +
-         ratio*v_1'], ['s_2', 'nu_e_2 + ratio*v_2']], 'cases': []}, {'name': 'momentum', 'size': 3,
-         'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
+         ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 + nu_u_0*ratio'], ['s_1', 'nu_e_1 +
+         nu_u_1*ratio'], ['s_2', 'nu_e_2 + nu_u_2*ratio']], 'cases': []}, {'name': 'momentum',
+         'size': 3, 'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
          'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 +
          eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 +
          eta_2*inertia_5']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc':
@@ -91,10 +105,10 @@
          'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder': 'command',
          'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit':
          'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder': 'command',
-         'member': 'nu_u', 'entries': ['v_0', 'v_1', 'v_2']}, {'name': 'clearance', 'size': 1,
-         'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 148,
-         'temporaries': 43, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+         'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'clearance', 'size':
+         1, 'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 144,
+         'temporaries': 51, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
          'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
          'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float
          precision.
@@ -157,17 +171,23 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     const float given_1 = g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2;
     const float given_2 = g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_4 + g_e_8;
+    const float pairs_3 = g_e_4 - g_e_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_4 - g_e_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_3;
     const float B_2 = g_e_2 + g_e_6;
     const float B_3 = g_e_7 - g_e_5;
-    const float B_4 = 1.0F + g_e_4 - g_e_0 - g_e_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_5 + g_e_7;
     const float B_6 = g_e_2 - g_e_6;
-    const float B_7 = 1.0F + g_e_8 - g_e_0 - g_e_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_3 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_4 + g_e_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -199,33 +219,49 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
+    /* nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3) */
+    const float nu_u_0 = power_0*scale;
+    const float nu_u_1 = power_1*scale;
+    const float nu_u_2 = power_2*scale;
 
     /* ratio: k_R/k_Omega [1/s] */
     const float ratio = k_R/k_Omega;
 
     /* s: sliding variable [rad/s], eq. (s3) */
-    const float s_0 = nu_e_0 + ratio*v_0;
-    const float s_1 = nu_e_1 + ratio*v_1;
-    const float s_2 = nu_e_2 + ratio*v_2;
+    const float s_0 = nu_e_0 + nu_u_0*ratio;
+    const float s_1 = nu_e_1 + nu_u_1*ratio;
+    const float s_2 = nu_e_2 + nu_u_2*ratio;
 
     /* momentum: I eta [N m s] */
     const float momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2;
@@ -247,9 +283,9 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     command->s[0] = s_0;
     command->s[1] = s_1;
     command->s[2] = s_2;
-    command->nu_u[0] = v_0;
-    command->nu_u[1] = v_1;
-    command->nu_u[2] = v_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
     return w;
 }
 
@@ -262,7 +298,7 @@ static void paper_so3_pd_plus_f32_definiteness(const paper_so3_pd_plus_f32_param
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -279,7 +315,7 @@ static void paper_so3_pd_plus_f32_definiteness(const paper_so3_pd_plus_f32_param
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -501,16 +537,14 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
     const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
-    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
-    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
-    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
-    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
-        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7;
+    const float off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6;
+    const float off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4;
 
     /* drift: square of the distance from the group [1] */
     const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
-        off_5*off_5 + off_6*off_6;
+        off_5*off_5;
 
     /* -- end -- */
 

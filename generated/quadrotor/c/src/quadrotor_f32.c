@@ -20,111 +20,127 @@
          'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1
          g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
          [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape':
-         (4,)}], 'steps': [{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1:
-         reference to body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5',
-         'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', '1.0F - 2.0F*g_e_2*g_e_2 -
-         2.0F*g_e_3*g_e_3'], ['to_body_1', '2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2',
-         '2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3)'],
-         ['to_body_4', '1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3'], ['to_body_5',
-         '2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6', '2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3)'],
-         ['to_body_7', '2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0F - 2.0F*g_e_1*g_e_1 -
-         2.0F*g_e_2*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc':
-         'reference velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0',
-         'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 +
-         nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 +
-         nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc':
-         'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
-         'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3,
-         'unit': 'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
-         'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
-         eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
-         nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
-         nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name':
-         'norm', 'size': 1, 'unit': '1', 'doc': 'length of the quaternion', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
-         'sqrtf(1.0e-30F + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3)']], 'cases': []},
+         (4,)}], 'steps': [{'name': 'double', 'size': 3, 'unit': '1', 'doc': 'twice the vector
+         part', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['double_0',
+         'double_1', 'double_2'], 'lines': [['double_0', '2.0F*g_e_1'], ['double_1', '2.0F*g_e_2'],
+         ['double_2', '2.0F*g_e_3']], 'cases': []}, {'name': 'to_body', 'size': 9, 'unit': '1',
+         'doc': 'Ad of g_e^-1: reference to body frame', 'source': '', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3',
+         'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0',
+         '1.0F - double_1*g_e_2 - double_2*g_e_3'], ['to_body_1', 'double_0*g_e_2 +
+         double_2*g_e_0'], ['to_body_2', 'double_0*g_e_3 - double_1*g_e_0'], ['to_body_3',
+         'double_0*g_e_2 - double_2*g_e_0'], ['to_body_4', '1.0F - double_0*g_e_1 -
+         double_2*g_e_3'], ['to_body_5', 'double_0*g_e_0 + double_1*g_e_3'], ['to_body_6',
+         'double_0*g_e_3 + double_1*g_e_0'], ['to_body_7', 'double_1*g_e_3 - double_0*g_e_0'],
+         ['to_body_8', '1.0F - double_0*g_e_1 - double_1*g_e_2']], 'cases': []}, {'name': 'eta',
+         'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in the body frame', 'source': 'eq.
+         (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1',
+         'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'],
+         ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2',
+         'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e',
+         'size': 3, 'unit': 'rad/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines':
+         [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']],
+         'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'exact rate of eta',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0',
+         'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 +
+         nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 +
+         nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
+         ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
+         nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name': 'square', 'size': 1, 'unit':
+         '1', 'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['square'], 'lines': [['square', 'g_e_1*g_e_1 + g_e_2*g_e_2 +
+         g_e_3*g_e_3']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its
+         squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['norm_square'], 'lines': [['norm_square', 'square + g_e_0*g_e_0']], 'cases': []}, {'name':
+         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
+         'cases': [{'condition': 'norm_square < 0.75F', 'lines': [['norm_bounded', '0.75F']]},
+         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
+         1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []},
          {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
          'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [['scale',
          '1.0F/norm']], 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the
          error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
-         'lines': [['w', 'g_e_0*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc':
-         'sin of half the error angle times its axis', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'g_e_1*scale'], ['v_1',
-         'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'cases': []}, {'name': 'k_near', 'size': 1,
-         'unit': '1', 'doc': 'half angle over its sine, for |w|', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['k_near'], 'lines': [['k_near',
-         'quadrotor_f32_k(fabsf(w))']], 'cases': []}, {'name': 'sine', 'size': 1, 'unit': '1',
-         'doc': '|v|', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['sine'], 'lines': [['sine', 'sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2)']], 'cases': []}, {'name':
-         'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, on to 2 pi', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [], 'cases':
-         [{'condition': 'w >= 0.0F', 'lines': [['k', 'k_near']]}, {'condition': 'sine > 1.0e-10F',
-         'lines': [['k', '3.1415927F/(sine + 1.0e-30F) - k_near']]}, {'condition': '', 'lines':
-         [['k', '0.0F']]}]}, {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w
-         k)/s^2', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'],
-         'lines': [['h', '(1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2)']], 'cases': []},
-         {'name': 'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['distance'], 'lines': [], 'cases':
-         [{'condition': 'w < 0.0F', 'lines': [['distance', 'sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2)']]},
-         {'condition': '', 'lines': [['distance', '1.0F']]}]}, {'name': 'nu_u', 'size': 3, 'unit':
-         'rad', 'doc': 'kinematic law, the rotation vector', 'source': 'def. (KctrLaw)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'],
-         'lines': [['nu_u_0', '2.0F*k*v_0'], ['nu_u_1', '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']],
-         'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'],
-         'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'],
-         ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit':
-         'rad/s', 'doc': 'v x (v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 -
-         turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 -
-         turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact
-         rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h +
-         k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 +
-         bend_2*h + k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
-         'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1',
-         'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size':
-         3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0',
-         'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases':
-         []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0',
-         'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
-         reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'],
-         ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name':
-         'turning', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1',
-         'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'],
-         ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N
-         m s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
-         inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0 +
-         inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc':
-         'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0',
-         'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'],
-         ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2'],
-         ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2 + momentum_0*turning_1 -
-         momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N
-         m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
-         'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
-         'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
-         'unit': 'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
-         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate', 'source': '', 'is_scalar':
-         False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
-         'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
-         locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
-         'entries': ['distance']}], 'operations': 198, 'temporaries': 59, 'symbol': 'tracking',
-         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
-         'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
-         'public_writes': ['command', 'clearance']}, float precision.
+         'lines': [['w', 'g_e_0*scale']], 'cases': []}, {'name': 'k_near', 'size': 1, 'unit': '1',
+         'doc': 'half angle over its sine, for |w|', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['k_near'], 'lines': [['k_near', 'quadrotor_f32_k(fabsf(w))']],
+         'cases': []}, {'name': 'divisor', 'size': 1, 'unit': '1', 'doc': 'the same, never zero',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['divisor'], 'lines':
+         [], 'cases': [{'condition': 'w >= 0.0F', 'lines': [['divisor', 'square + 1.0e-8F']]},
+         {'condition': 'square > (5.0e-8F*5.0e-8F)', 'lines': [['divisor', 'square']]},
+         {'condition': '', 'lines': [['divisor', '5.0e-8F*5.0e-8F']]}]}, {'name': 'distance',
+         'size': 1, 'unit': '1', 'doc': 'distance from -i: |v| beyond pi, and 1 before', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['distance'], 'lines': [],
+         'cases': [{'condition': 'w >= 0.0F', 'lines': [['distance', '1.0F']]}, {'condition': '',
+         'lines': [['distance', 'scale*sqrtf(divisor)']]}]}, {'name': 'k', 'size': 1, 'unit': '1',
+         'doc': 'half angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': '', 'names': ['k'], 'lines': [], 'cases': [{'condition': 'w >= 0.0F',
+         'lines': [['k', 'k_near']]}, {'condition': '', 'lines': [['k', '3.1415927F/distance -
+         k_near']]}]}, {'name': 'h_raw', 'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's
+         square, as s^2 h = 1 - w k", 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['h_raw'], 'lines': [['h_raw', '(1.0F - k*w)/divisor']], 'cases': []}, {'name':
+         'reach', 'size': 1, 'unit': '1', 'doc': 'p by the scale, but for a number', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['reach'], 'lines': [['reach',
+         'k*scale']], 'cases': []}, {'name': 'stretch', 'size': 1, 'unit': '1', 'doc': 'ratio of
+         nu_u to the vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['stretch'], 'lines': [['stretch', '2.0F*reach']], 'cases': []}, {'name': 'nu_u',
+         'size': 3, 'unit': 'rad', 'doc': 'kinematic law, the rotation vector', 'source': 'def.
+         (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1',
+         'nu_u_2'], 'lines': [['nu_u_0', 'g_e_1*stretch'], ['nu_u_1', 'g_e_2*stretch'], ['nu_u_2',
+         'g_e_3*stretch']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc':
+         'vector part x nu_e, its share', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'g_e_2*nu_e_2 -
+         g_e_3*nu_e_1'], ['turn_1', 'g_e_3*nu_e_0 - g_e_1*nu_e_2'], ['turn_2', 'g_e_1*nu_e_1 -
+         g_e_2*nu_e_0']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'vector
+         part x that', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'g_e_2*turn_2 - g_e_3*turn_1'],
+         ['bend_1', 'g_e_3*turn_0 - g_e_1*turn_2'], ['bend_2', 'g_e_1*turn_1 - g_e_2*turn_0']],
+         'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0',
+         'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h_raw +
+         reach*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h_raw + reach*turn_1'], ['nu_u_dot_2',
+         'nu_e_2 + bend_2*h_raw + reach*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3,
+         'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0',
+         'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']],
+         'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable',
+         'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
+         ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit':
+         'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0',
+         'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
+         nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
+         reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
+         'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
+         nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
+         'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines':
+         [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'],
+         ['momentum_2', 'inertia_2*nu_0 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size':
+         3, 'unit': 'N m', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines':
+         [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 -
+         momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0 -
+         momentum_0*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2 +
+         momentum_0*turning_1 - momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name':
+         'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar':
+         False, 'holder': 'command', 'member': 'force', 'entries': ['force_0', 'force_1',
+         'force_2']}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source':
+         '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1',
+         's_2']}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law', 'source': '',
+         'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1',
+         'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate',
+         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries':
+         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1',
+         'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': 'clearance', 'entries': ['distance']}], 'operations': 172, 'temporaries': 64,
+         'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
+         'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes':
+         ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "quadrotor_f32.h"
@@ -183,16 +199,21 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
 
+    /* double: twice the vector part [1] */
+    const float double_0 = 2.0F*g_e_1;
+    const float double_1 = 2.0F*g_e_2;
+    const float double_2 = 2.0F*g_e_3;
+
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const float to_body_0 = 1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3;
-    const float to_body_1 = 2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const float to_body_2 = 2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const float to_body_3 = 2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const float to_body_4 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3;
-    const float to_body_5 = 2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const float to_body_6 = 2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const float to_body_7 = 2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const float to_body_8 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_2*g_e_2;
+    const float to_body_0 = 1.0F - double_1*g_e_2 - double_2*g_e_3;
+    const float to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const float to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const float to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const float to_body_4 = 1.0F - double_0*g_e_1 - double_2*g_e_3;
+    const float to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const float to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const float to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const float to_body_8 = 1.0F - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -212,8 +233,22 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
     const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+    /* square: square of its vector part [1] */
+    const float square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_e_0*g_e_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -221,57 +256,63 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
     /* w: cos of half the error angle [1] */
     const float w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_e_1*scale;
-    const float v_1 = g_e_2*scale;
-    const float v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = quadrotor_f32_k(fabsf(w));
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    float distance;
-    if (w < 0.0F) {
-        distance = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
-    } else {
-        distance = 1.0F;
-    }
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = g_e_1*stretch;
+    const float nu_u_1 = g_e_2*stretch;
+    const float nu_u_2 = g_e_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
+    const float turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
+    const float turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -288,10 +329,10 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
@@ -328,7 +369,7 @@ static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -377,8 +418,22 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+    /* square: square of its vector part [1] */
+    const float square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_0*g_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -386,49 +441,63 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
     /* w: cos of half the error angle [1] */
     const float w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_1*scale;
-    const float v_1 = g_2*scale;
-    const float v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = quadrotor_f32_k(fabsf(w));
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
+
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = g_1*stretch;
+    const float nu_u_1 = g_2*stretch;
+    const float nu_u_2 = g_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_2*nu_2 - g_3*nu_1;
+    const float turn_1 = g_3*nu_0 - g_1*nu_2;
+    const float turn_2 = g_1*nu_1 - g_2*nu_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_2*turn_2 - g_3*turn_1;
+    const float bend_1 = g_3*turn_0 - g_1*turn_2;
+    const float bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;

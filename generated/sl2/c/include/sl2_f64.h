@@ -61,13 +61,13 @@
  *     'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 -
  *     nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain -
  *     reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']],
- *     'cases': []}, {'name': 'turning', 'size': 3, 'unit': '1/s', 'doc': 'lambda nu_u - eta',
- *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0',
- *     'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1
- *     - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3,
- *     'unit': 'J s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
- *     'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0
- *     + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 +
+ *     'cases': []}, {'name': 'turning', 'size': 3, 'unit': '1/s', 'doc': 'lambda nu_u - eta, as s -
+ *     nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0',
+ *     'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 -
+ *     nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit':
+ *     'J s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+ *     ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
+ *     inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 +
  *     inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']],
  *     'cases': []}, {'name': 'force', 'size': 3, 'unit': 'J', 'doc': 'control force, I f_u',
  *     'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':

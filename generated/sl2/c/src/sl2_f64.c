@@ -61,36 +61,36 @@
          'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
          reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'],
          ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name':
-         'turning', 'size': 3, 'unit': '1/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'],
-         'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2',
-         'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'J s', 'doc': 'I
-         nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
-         'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 +
-         inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'],
-         ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']], 'cases': []}, {'name':
-         'force', 'size': 3, 'unit': 'J', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'],
-         'lines': [['force_0', 'inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 -
-         momentum_2*turning_1 + 2.0*momentum_0*turning_2'], ['force_1', 'inertia_1*wanted_0 +
-         inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_2*turning_0 -
-         2.0*momentum_1*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_4*wanted_1 +
-         inertia_5*wanted_2 - 2.0*momentum_0*turning_0 + 2.0*momentum_1*turning_1']], 'cases': []}],
-         'outputs': [{'name': 'force', 'size': 3, 'unit': 'J', 'doc': 'control force', 'source': '',
-         'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries': ['force_0',
-         'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit': '1/s', 'doc': 'sliding variable',
-         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0',
-         's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit': '1', 'doc': 'kinematic law', 'source':
-         '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['g_e_1',
-         'g_e_2', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': '1/s', 'doc': 'its exact
-         rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot',
-         'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
-         'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': 'clearance', 'entries': ['1.0']}], 'operations': 148,
-         'temporaries': 40, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
-         'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
-         'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
-         precision.
+         'turning', 'size': 3, 'unit': '1/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1',
+         'turning_2'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 - nu_1'],
+         ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'J s',
+         'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
+         inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 +
+         inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']],
+         'cases': []}, {'name': 'force', 'size': 3, 'unit': 'J', 'doc': 'control force, I f_u',
+         'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'inertia_0*wanted_0 +
+         inertia_1*wanted_1 + inertia_2*wanted_2 - momentum_2*turning_1 +
+         2.0*momentum_0*turning_2'], ['force_1', 'inertia_1*wanted_0 + inertia_3*wanted_1 +
+         inertia_4*wanted_2 + momentum_2*turning_0 - 2.0*momentum_1*turning_2'], ['force_2',
+         'inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 - 2.0*momentum_0*turning_0 +
+         2.0*momentum_1*turning_1']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
+         'unit': 'J', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
+         'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
+         'unit': '1/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
+         'unit': '1', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder': 'command',
+         'member': 'nu_u', 'entries': ['g_e_1', 'g_e_2', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3,
+         'unit': '1/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']},
+         {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the
+         law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
+         ['1.0']}], 'operations': 148, 'temporaries': 40, 'symbol': 'tracking', 'is_public': False,
+         'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot',
+         'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes':
+         ['command', 'clearance']}, double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "sl2_f64.h"
@@ -184,10 +184,10 @@ static double sl2_f64_law(const sl2_f64_params *params, const sl2_f64_state *sta
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [1/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [1/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [J s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
@@ -226,7 +226,7 @@ static void sl2_f64_definiteness(const sl2_f64_params *params, double pivot[3])
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [J s^2] */
+    /* divisor_0: the pivot, or 1 where it is bad [J s^2] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -243,7 +243,7 @@ static void sl2_f64_definiteness(const sl2_f64_params *params, double pivot[3])
     /* pivot_1: pivot of I [J s^2] */
     const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is not positive [J s^2] */
+    /* divisor_1: the pivot, or 1 where it is bad [J s^2] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;

@@ -71,16 +71,20 @@
          g_e_22*nu_r_dot_8 - eta_8*nu_e_7'], ['eta_dot_7', 'eta_8*nu_e_6 + g_e_17*nu_r_dot_6 +
          g_e_20*nu_r_dot_7 + g_e_23*nu_r_dot_8 - eta_6*nu_e_8'], ['eta_dot_8', 'eta_6*nu_e_7 +
          g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 - eta_7*nu_e_6']], 'cases': []},
-         {'name': 'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source':
-         'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['B_a_0', 'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5', 'B_a_6', 'B_a_7', 'B_a_8',
-         'B_a_9'], 'lines': [['B_a_0', '1.0F + g_e_0 - g_e_10 - g_e_5'], ['B_a_1', 'g_e_1 + g_e_4'],
-         ['B_a_2', 'g_e_2 + g_e_8'], ['B_a_3', 'g_e_9 - g_e_6'], ['B_a_4', '1.0F + g_e_5 - g_e_0 -
-         g_e_10'], ['B_a_5', 'g_e_6 + g_e_9'], ['B_a_6', 'g_e_2 - g_e_8'], ['B_a_7', '1.0F + g_e_10
-         - g_e_0 - g_e_5'], ['B_a_8', 'g_e_4 - g_e_1'], ['B_a_9', '1.0F + g_e_0 + g_e_10 + g_e_5']],
-         'cases': []}, {'name': 'column_a', 'size': 4, 'unit': '1', 'doc': 'a column of B that
-         cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['column_a_0', 'column_a_1', 'column_a_2', 'column_a_3'], 'lines': [], 'cases':
+         {'name': 'pairs_a', 'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of",
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['pairs_a_0',
+         'pairs_a_1', 'pairs_a_2', 'pairs_a_3'], 'lines': [['pairs_a_0', '1.0F + g_e_0'],
+         ['pairs_a_1', '1.0F - g_e_0'], ['pairs_a_2', 'g_e_10 + g_e_5'], ['pairs_a_3', 'g_e_5 -
+         g_e_10']], 'cases': []}, {'name': 'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v,
+         w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['B_a_0', 'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5',
+         'B_a_6', 'B_a_7', 'B_a_8', 'B_a_9'], 'lines': [['B_a_0', 'pairs_a_0 - pairs_a_2'],
+         ['B_a_1', 'g_e_1 + g_e_4'], ['B_a_2', 'g_e_2 + g_e_8'], ['B_a_3', 'g_e_9 - g_e_6'],
+         ['B_a_4', 'pairs_a_1 + pairs_a_3'], ['B_a_5', 'g_e_6 + g_e_9'], ['B_a_6', 'g_e_2 - g_e_8'],
+         ['B_a_7', 'pairs_a_1 - pairs_a_3'], ['B_a_8', 'g_e_4 - g_e_1'], ['B_a_9', 'pairs_a_0 +
+         pairs_a_2']], 'cases': []}, {'name': 'column_a', 'size': 4, 'unit': '1', 'doc': 'a column
+         of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['column_a_0', 'column_a_1', 'column_a_2', 'column_a_3'], 'lines': [], 'cases':
          [{'condition': 'B_a_9 >= 1.0F', 'lines': [['column_a_0', 'B_a_3'], ['column_a_1', 'B_a_6'],
          ['column_a_2', 'B_a_8'], ['column_a_3', 'B_a_9']]}, {'condition': '(B_a_0 >= B_a_4) &&
          (B_a_0 >= B_a_7)', 'lines': [['column_a_0', 'B_a_0'], ['column_a_1', 'B_a_1'],
@@ -94,28 +98,43 @@
          B_a_2*column_a_2 + B_a_3*column_a_3'], ['power_a_1', 'B_a_1*column_a_0 + B_a_4*column_a_1 +
          B_a_5*column_a_2 + B_a_6*column_a_3'], ['power_a_2', 'B_a_2*column_a_0 + B_a_5*column_a_1 +
          B_a_7*column_a_2 + B_a_8*column_a_3'], ['power_a_3', 'B_a_3*column_a_0 + B_a_6*column_a_1 +
-         B_a_8*column_a_2 + B_a_9*column_a_3']], 'cases': []}, {'name': 'norm_a', 'size': 1, 'unit':
-         '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['norm_a'], 'lines': [['norm_a', 'sqrtf(1.0e-30F + power_a_0*power_a_0 +
-         power_a_1*power_a_1 + power_a_2*power_a_2 + power_a_3*power_a_3)']], 'cases': []}, {'name':
-         'scale_a', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way
-         round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_a'],
-         'lines': [], 'cases': [{'condition': 'power_a_3 < 0.0F', 'lines': [['scale_a',
-         '-1.0F/norm_a']]}, {'condition': '', 'lines': [['scale_a', '1.0F/norm_a']]}]}, {'name':
-         'w_a', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['w_a'], 'lines': [['w_a',
-         'power_a_3*scale_a']], 'cases': []}, {'name': 'v_a', 'size': 3, 'unit': '1', 'doc': 'sin of
-         half the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['v_a_0', 'v_a_1', 'v_a_2'], 'lines': [['v_a_0',
-         'power_a_0*scale_a'], ['v_a_1', 'power_a_1*scale_a'], ['v_a_2', 'power_a_2*scale_a']],
-         'cases': []}, {'name': 'k_a', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_a'], 'lines':
-         [['k_a', 'two_bodies_f32_k(w_a)']], 'cases': []}, {'name': 'h_a', 'size': 1, 'unit': '1',
-         'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['h_a'], 'lines': [['h_a', 'two_bodies_f32_h(w_a)']], 'cases': []}, {'name': 'phi_a',
-         'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'], 'lines':
-         [['phi_a_0', '2.0F*k_a*v_a_0'], ['phi_a_1', '2.0F*k_a*v_a_1'], ['phi_a_2',
+         B_a_8*column_a_2 + B_a_9*column_a_3']], 'cases': []}, {'name': 'square_a', 'size': 1,
+         'unit': '1', 'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': '', 'names': ['square_a'], 'lines': [['square_a', 'power_a_0*power_a_0 +
+         power_a_1*power_a_1 + power_a_2*power_a_2']], 'cases': []}, {'name': 'norm_square_a',
+         'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['norm_square_a'], 'lines': [['norm_square_a',
+         'square_a + power_a_3*power_a_3']], 'cases': []}, {'name': 'norm_bounded_a', 'size': 1,
+         'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['norm_bounded_a'], 'lines': [], 'cases':
+         [{'condition': 'norm_square_a < 49.0F', 'lines': [['norm_bounded_a', '49.0F']]},
+         {'condition': '', 'lines': [['norm_bounded_a', 'norm_square_a']]}]}, {'name': 'norm_a',
+         'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm_a'], 'lines': [['norm_a', 'sqrtf(norm_bounded_a)']], 'cases':
+         []}, {'name': 'inverse_norm_a', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm_a'], 'lines':
+         [['inverse_norm_a', '1.0F/norm_a']], 'cases': []}, {'name': 'scale_a', 'size': 1, 'unit':
+         '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_a'], 'lines': [], 'cases':
+         [{'condition': 'power_a_3 < 0.0F', 'lines': [['scale_a', '-inverse_norm_a']]},
+         {'condition': '', 'lines': [['scale_a', 'inverse_norm_a']]}]}, {'name': 'cosine_a', 'size':
+         1, 'unit': '1', 'doc': 'cos of half the error angle, rounded', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['cosine_a'], 'lines': [['cosine_a',
+         'power_a_3*scale_a']], 'cases': []}, {'name': 'w_a', 'size': 1, 'unit': '1', 'doc': 'cos of
+         half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['w_a'], 'lines': [], 'cases': [{'condition': 'cosine_a > 1.0F', 'lines': [['w_a',
+         '1.0F']]}, {'condition': '', 'lines': [['w_a', 'cosine_a']]}]}, {'name': 'v_a', 'size': 3,
+         'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_a_0', 'v_a_1', 'v_a_2'],
+         'lines': [['v_a_0', 'power_a_0*scale_a'], ['v_a_1', 'power_a_1*scale_a'], ['v_a_2',
+         'power_a_2*scale_a']], 'cases': []}, {'name': 'k_a', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['k_a'], 'lines': [['k_a', 'two_bodies_f32_k(w_a)']], 'cases': []}, {'name': 'h_a', 'size':
+         1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['h_a'], 'lines': [['h_a', 'two_bodies_f32_h(w_a)']], 'cases': []}, {'name':
+         'phi_a', 'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'],
+         'lines': [['phi_a_0', '2.0F*k_a*v_a_0'], ['phi_a_1', '2.0F*k_a*v_a_1'], ['phi_a_2',
          '2.0F*k_a*v_a_2']], 'cases': []}, {'name': 'half_a', 'size': 1, 'unit': '1', 'doc': '1/(2
          k)', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['half_a'],
          'lines': [['half_a', '0.5F/k_a']], 'cases': []}, {'name': 'swing_p_a', 'size': 3, 'unit':
@@ -134,20 +153,24 @@
          k_a*swing_p_a_2']], 'cases': []}, {'name': 'y_p_a', 'size': 3, 'unit': 'm', 'doc': 'rho/(2
          k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['y_p_a_0',
          'y_p_a_1', 'y_p_a_2'], 'lines': [['y_p_a_0', 'half_a*rho_p_a_0'], ['y_p_a_1',
-         'half_a*rho_p_a_1'], ['y_p_a_2', 'half_a*rho_p_a_2']], 'cases': []}, {'name': 'B_b',
-         'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of
-         Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['B_b_0', 'B_b_1', 'B_b_2', 'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7', 'B_b_8', 'B_b_9'],
-         'lines': [['B_b_0', '1.0F + g_e_16 - g_e_20 - g_e_24'], ['B_b_1', 'g_e_17 + g_e_19'],
-         ['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 - g_e_21'], ['B_b_4', '1.0F + g_e_20 -
-         g_e_16 - g_e_24'], ['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6', 'g_e_18 - g_e_22'], ['B_b_7',
-         '1.0F + g_e_24 - g_e_16 - g_e_20'], ['B_b_8', 'g_e_19 - g_e_17'], ['B_b_9', '1.0F + g_e_16
-         + g_e_20 + g_e_24']], 'cases': []}, {'name': 'column_b', 'size': 4, 'unit': '1', 'doc': 'a
-         column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['column_b_0', 'column_b_1', 'column_b_2', 'column_b_3'], 'lines': [],
-         'cases': [{'condition': 'B_b_9 >= 1.0F', 'lines': [['column_b_0', 'B_b_3'], ['column_b_1',
-         'B_b_6'], ['column_b_2', 'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition': '(B_b_0 >=
-         B_b_4) && (B_b_0 >= B_b_7)', 'lines': [['column_b_0', 'B_b_0'], ['column_b_1', 'B_b_1'],
+         'half_a*rho_p_a_1'], ['y_p_a_2', 'half_a*rho_p_a_2']], 'cases': []}, {'name': 'pairs_b',
+         'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['pairs_b_0', 'pairs_b_1', 'pairs_b_2',
+         'pairs_b_3'], 'lines': [['pairs_b_0', '1.0F + g_e_16'], ['pairs_b_1', '1.0F - g_e_16'],
+         ['pairs_b_2', 'g_e_20 + g_e_24'], ['pairs_b_3', 'g_e_20 - g_e_24']], 'cases': []}, {'name':
+         'B_b', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar
+         factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['B_b_0', 'B_b_1', 'B_b_2', 'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7', 'B_b_8',
+         'B_b_9'], 'lines': [['B_b_0', 'pairs_b_0 - pairs_b_2'], ['B_b_1', 'g_e_17 + g_e_19'],
+         ['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 - g_e_21'], ['B_b_4', 'pairs_b_1 +
+         pairs_b_3'], ['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6', 'g_e_18 - g_e_22'], ['B_b_7',
+         'pairs_b_1 - pairs_b_3'], ['B_b_8', 'g_e_19 - g_e_17'], ['B_b_9', 'pairs_b_0 +
+         pairs_b_2']], 'cases': []}, {'name': 'column_b', 'size': 4, 'unit': '1', 'doc': 'a column
+         of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['column_b_0', 'column_b_1', 'column_b_2', 'column_b_3'], 'lines': [], 'cases':
+         [{'condition': 'B_b_9 >= 1.0F', 'lines': [['column_b_0', 'B_b_3'], ['column_b_1', 'B_b_6'],
+         ['column_b_2', 'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition': '(B_b_0 >= B_b_4) &&
+         (B_b_0 >= B_b_7)', 'lines': [['column_b_0', 'B_b_0'], ['column_b_1', 'B_b_1'],
          ['column_b_2', 'B_b_2'], ['column_b_3', 'B_b_3']]}, {'condition': 'B_b_4 >= B_b_7',
          'lines': [['column_b_0', 'B_b_1'], ['column_b_1', 'B_b_4'], ['column_b_2', 'B_b_5'],
          ['column_b_3', 'B_b_6']]}, {'condition': '', 'lines': [['column_b_0', 'B_b_2'],
@@ -158,81 +181,95 @@
          B_b_2*column_b_2 + B_b_3*column_b_3'], ['power_b_1', 'B_b_1*column_b_0 + B_b_4*column_b_1 +
          B_b_5*column_b_2 + B_b_6*column_b_3'], ['power_b_2', 'B_b_2*column_b_0 + B_b_5*column_b_1 +
          B_b_7*column_b_2 + B_b_8*column_b_3'], ['power_b_3', 'B_b_3*column_b_0 + B_b_6*column_b_1 +
-         B_b_8*column_b_2 + B_b_9*column_b_3']], 'cases': []}, {'name': 'norm_b', 'size': 1, 'unit':
-         '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['norm_b'], 'lines': [['norm_b', 'sqrtf(1.0e-30F + power_b_0*power_b_0 +
-         power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3)']], 'cases': []}, {'name':
-         'scale_b', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way
-         round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_b'],
-         'lines': [], 'cases': [{'condition': 'power_b_3 < 0.0F', 'lines': [['scale_b',
-         '-1.0F/norm_b']]}, {'condition': '', 'lines': [['scale_b', '1.0F/norm_b']]}]}, {'name':
-         'w_b', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['w_b'], 'lines': [['w_b',
-         'power_b_3*scale_b']], 'cases': []}, {'name': 'v_b', 'size': 3, 'unit': '1', 'doc': 'sin of
-         half the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['v_b_0', 'v_b_1', 'v_b_2'], 'lines': [['v_b_0',
-         'power_b_0*scale_b'], ['v_b_1', 'power_b_1*scale_b'], ['v_b_2', 'power_b_2*scale_b']],
+         B_b_8*column_b_2 + B_b_9*column_b_3']], 'cases': []}, {'name': 'square_b', 'size': 1,
+         'unit': '1', 'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': '', 'names': ['square_b'], 'lines': [['square_b', 'power_b_0*power_b_0 +
+         power_b_1*power_b_1 + power_b_2*power_b_2']], 'cases': []}, {'name': 'norm_square_b',
+         'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['norm_square_b'], 'lines': [['norm_square_b',
+         'square_b + power_b_3*power_b_3']], 'cases': []}, {'name': 'norm_bounded_b', 'size': 1,
+         'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['norm_bounded_b'], 'lines': [], 'cases':
+         [{'condition': 'norm_square_b < 49.0F', 'lines': [['norm_bounded_b', '49.0F']]},
+         {'condition': '', 'lines': [['norm_bounded_b', 'norm_square_b']]}]}, {'name': 'norm_b',
+         'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm_b'], 'lines': [['norm_b', 'sqrtf(norm_bounded_b)']], 'cases':
+         []}, {'name': 'inverse_norm_b', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm_b'], 'lines':
+         [['inverse_norm_b', '1.0F/norm_b']], 'cases': []}, {'name': 'scale_b', 'size': 1, 'unit':
+         '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_b'], 'lines': [], 'cases':
+         [{'condition': 'power_b_3 < 0.0F', 'lines': [['scale_b', '-inverse_norm_b']]},
+         {'condition': '', 'lines': [['scale_b', 'inverse_norm_b']]}]}, {'name': 'w_b', 'size': 1,
+         'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['w_b'], 'lines': [['w_b', 'power_b_3*scale_b']],
          'cases': []}, {'name': 'k_b', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine',
          'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_b'], 'lines':
-         [['k_b', 'two_bodies_f32_k(w_b)']], 'cases': []}, {'name': 'h_b', 'size': 1, 'unit': '1',
-         'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['h_b'], 'lines': [['h_b', '(1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F -
-         w_b))']], 'cases': []}, {'name': 'clearance_0', 'size': 1, 'unit': '1', 'doc': 'the smaller
-         clearance', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['clearance_0'], 'lines': [], 'cases': [{'condition': 'w_a <= w_b', 'lines':
-         [['clearance_0', 'w_a']]}, {'condition': '', 'lines': [['clearance_0', 'w_b']]}]}, {'name':
-         'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law, the logarithm and the rotation
-         vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['nu_u_6', 'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6', '2.0F*k_b*v_b_0'], ['nu_u_7',
-         '2.0F*k_b*v_b_1'], ['nu_u_8', '2.0F*k_b*v_b_2']], 'cases': []}, {'name': 'turn_a', 'size':
-         6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['turn_a_0', 'turn_a_1', 'turn_a_2', 'turn_a_3',
-         'turn_a_4', 'turn_a_5'], 'lines': [['turn_a_0', 'nu_e_2*v_a_1 - nu_e_1*v_a_2'],
-         ['turn_a_1', 'nu_e_0*v_a_2 - nu_e_2*v_a_0'], ['turn_a_2', 'nu_e_1*v_a_0 - nu_e_0*v_a_1'],
-         ['turn_a_3', 'nu_e_2*y_p_a_1 + nu_e_5*v_a_1 - nu_e_1*y_p_a_2 - nu_e_4*v_a_2'], ['turn_a_4',
-         'nu_e_0*y_p_a_2 + nu_e_3*v_a_2 - nu_e_2*y_p_a_0 - nu_e_5*v_a_0'], ['turn_a_5',
-         'nu_e_1*y_p_a_0 + nu_e_4*v_a_0 - nu_e_0*y_p_a_1 - nu_e_3*v_a_1']], 'cases': []}, {'name':
-         'bend_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['bend_a_0', 'bend_a_1', 'bend_a_2',
-         'bend_a_3', 'bend_a_4', 'bend_a_5'], 'lines': [['bend_a_0', 'turn_a_2*v_a_1 -
-         turn_a_1*v_a_2'], ['bend_a_1', 'turn_a_0*v_a_2 - turn_a_2*v_a_0'], ['bend_a_2',
-         'turn_a_1*v_a_0 - turn_a_0*v_a_1'], ['bend_a_3', 'turn_a_2*y_p_a_1 + turn_a_5*v_a_1 -
-         turn_a_1*y_p_a_2 - turn_a_4*v_a_2'], ['bend_a_4', 'turn_a_0*y_p_a_2 + turn_a_3*v_a_2 -
-         turn_a_2*y_p_a_0 - turn_a_5*v_a_0'], ['bend_a_5', 'turn_a_1*y_p_a_0 + turn_a_4*v_a_0 -
-         turn_a_0*y_p_a_1 - turn_a_3*v_a_1']], 'cases': []}, {'name': 'm_a', 'size': 1, 'unit': '1',
-         'doc': '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['m_a'], 'lines': [['m_a', 'two_bodies_f32_m(w_a)']], 'cases': []}, {'name': 'along_p_a',
-         'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['along_p_a'], 'lines': [['along_p_a', '-2.0F*(v_a_0*y_p_a_0 +
-         v_a_1*y_p_a_1 + v_a_2*y_p_a_2)']], 'cases': []}, {'name': 'tail_a', 'size': 6, 'unit':
-         'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['tail_a_3', 'tail_a_4', 'tail_a_5'], 'lines': [['tail_a_3',
-         'along_p_a*bend_a_0'], ['tail_a_4', 'along_p_a*bend_a_1'], ['tail_a_5',
-         'along_p_a*bend_a_2']], 'cases': []}, {'name': 'twofold_a', 'size': 1, 'unit': '1', 'doc':
-         'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['twofold_a'], 'lines': [['twofold_a', 'h_a*h_a - 0.5F*k_a*m_a']], 'cases':
-         []}, {'name': 'turn_b', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1',
-         'turn_b_2'], 'lines': [['turn_b_0', 'nu_e_8*v_b_1 - nu_e_7*v_b_2'], ['turn_b_1',
-         'nu_e_6*v_b_2 - nu_e_8*v_b_0'], ['turn_b_2', 'nu_e_7*v_b_0 - nu_e_6*v_b_1']], 'cases': []},
-         {'name': 'bend_b', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '',
+         [['k_b', 'two_bodies_f32_k(w_b)']], 'cases': []}, {'name': 'h_raw_b', 'size': 1, 'unit':
+         '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k", 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['h_raw_b'], 'lines': [['h_raw_b', '(1.0F -
+         k_b*w_b)/(square_b + 1.0e-8F)']], 'cases': []}, {'name': 'reach_b', 'size': 1, 'unit': '1',
+         'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['reach_b'], 'lines': [['reach_b', 'k_b*scale_b']], 'cases': []},
+         {'name': 'stretch_b', 'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['stretch_b'],
+         'lines': [['stretch_b', '2.0F*reach_b']], 'cases': []}, {'name': 'clearance_0', 'size': 1,
+         'unit': '1', 'doc': 'the smaller clearance', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['clearance_0'], 'lines': [], 'cases': [{'condition': 'w_a <= w_b',
+         'lines': [['clearance_0', 'w_a']]}, {'condition': '', 'lines': [['clearance_0', 'w_b']]}]},
+         {'name': 'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law, the logarithm and the
+         rotation vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['nu_u_6', 'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6', 'power_b_0*stretch_b'],
+         ['nu_u_7', 'power_b_1*stretch_b'], ['nu_u_8', 'power_b_2*stretch_b']], 'cases': []},
+         {'name': 'turn_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source':
+         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_a_0', 'turn_a_1',
+         'turn_a_2', 'turn_a_3', 'turn_a_4', 'turn_a_5'], 'lines': [['turn_a_0', 'nu_e_2*v_a_1 -
+         nu_e_1*v_a_2'], ['turn_a_1', 'nu_e_0*v_a_2 - nu_e_2*v_a_0'], ['turn_a_2', 'nu_e_1*v_a_0 -
+         nu_e_0*v_a_1'], ['turn_a_3', 'nu_e_2*y_p_a_1 + nu_e_5*v_a_1 - nu_e_1*y_p_a_2 -
+         nu_e_4*v_a_2'], ['turn_a_4', 'nu_e_0*y_p_a_2 + nu_e_3*v_a_2 - nu_e_2*y_p_a_0 -
+         nu_e_5*v_a_0'], ['turn_a_5', 'nu_e_1*y_p_a_0 + nu_e_4*v_a_0 - nu_e_0*y_p_a_1 -
+         nu_e_3*v_a_1']], 'cases': []}, {'name': 'bend_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc':
+         'Y Y nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['bend_a_0', 'bend_a_1', 'bend_a_2', 'bend_a_3', 'bend_a_4', 'bend_a_5'], 'lines':
+         [['bend_a_0', 'turn_a_2*v_a_1 - turn_a_1*v_a_2'], ['bend_a_1', 'turn_a_0*v_a_2 -
+         turn_a_2*v_a_0'], ['bend_a_2', 'turn_a_1*v_a_0 - turn_a_0*v_a_1'], ['bend_a_3',
+         'turn_a_2*y_p_a_1 + turn_a_5*v_a_1 - turn_a_1*y_p_a_2 - turn_a_4*v_a_2'], ['bend_a_4',
+         'turn_a_0*y_p_a_2 + turn_a_3*v_a_2 - turn_a_2*y_p_a_0 - turn_a_5*v_a_0'], ['bend_a_5',
+         'turn_a_1*y_p_a_0 + turn_a_4*v_a_0 - turn_a_0*y_p_a_1 - turn_a_3*v_a_1']], 'cases': []},
+         {'name': 'm_a', 'size': 1, 'unit': '1', 'doc': '-dh/dw', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['m_a'], 'lines': [['m_a', 'two_bodies_f32_m(w_a)']],
+         'cases': []}, {'name': 'along_p_a', 'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['along_p_a'], 'lines':
+         [['along_p_a', '-2.0F*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 + v_a_2*y_p_a_2)']], 'cases': []},
+         {'name': 'tail_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_a_3',
+         'tail_a_4', 'tail_a_5'], 'lines': [['tail_a_3', 'along_p_a*bend_a_0'], ['tail_a_4',
+         'along_p_a*bend_a_1'], ['tail_a_5', 'along_p_a*bend_a_2']], 'cases': []}, {'name':
+         'twofold_a', 'size': 1, 'unit': '1', 'doc': 'h^2 - k m/2, of the double root', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['twofold_a'], 'lines':
+         [['twofold_a', 'h_a*h_a - 0.5F*k_a*m_a']], 'cases': []}, {'name': 'turn_b', 'size': 3,
+         'unit': 'rad/s', 'doc': 'vector part x nu_e, its share', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1', 'turn_b_2'], 'lines':
+         [['turn_b_0', 'nu_e_8*power_b_1 - nu_e_7*power_b_2'], ['turn_b_1', 'nu_e_6*power_b_2 -
+         nu_e_8*power_b_0'], ['turn_b_2', 'nu_e_7*power_b_0 - nu_e_6*power_b_1']], 'cases': []},
+         {'name': 'bend_b', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '',
          'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_b_0', 'bend_b_1',
-         'bend_b_2'], 'lines': [['bend_b_0', 'turn_b_2*v_b_1 - turn_b_1*v_b_2'], ['bend_b_1',
-         'turn_b_0*v_b_2 - turn_b_2*v_b_0'], ['bend_b_2', 'turn_b_1*v_b_0 - turn_b_0*v_b_1']],
-         'cases': []}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'exact rate of
-         nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5',
-         'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_a_0*h_a
-         + k_a*turn_a_0'], ['nu_u_dot_1', 'nu_e_1 + bend_a_1*h_a + k_a*turn_a_1'], ['nu_u_dot_2',
-         'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'], ['nu_u_dot_3', 'nu_e_3 + bend_a_3*h_a +
-         k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 +
-         tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 +
-         tail_a_5*twofold_a'], ['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_b + k_b*turn_b_0'],
-         ['nu_u_dot_7', 'nu_e_7 + bend_b_1*h_b + k_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 +
-         bend_b_2*h_b + k_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit': 'rad/s,
-         m/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5', 'drive_6',
-         'drive_7', 'drive_8'], 'lines': [['drive_0', 'phi_a_0*rate_gain'], ['drive_1',
+         'bend_b_2'], 'lines': [['bend_b_0', 'power_b_1*turn_b_2 - power_b_2*turn_b_1'],
+         ['bend_b_1', 'power_b_2*turn_b_0 - power_b_0*turn_b_2'], ['bend_b_2', 'power_b_0*turn_b_1 -
+         power_b_1*turn_b_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s',
+         'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4',
+         'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8'], 'lines': [['nu_u_dot_0', 'nu_e_0 +
+         bend_a_0*h_a + k_a*turn_a_0'], ['nu_u_dot_1', 'nu_e_1 + bend_a_1*h_a + k_a*turn_a_1'],
+         ['nu_u_dot_2', 'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'], ['nu_u_dot_3', 'nu_e_3 +
+         bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4 + bend_a_4*h_a +
+         k_a*turn_a_4 + tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 +
+         tail_a_5*twofold_a'], ['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0'],
+         ['nu_u_dot_7', 'nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 +
+         bend_b_2*h_raw_b + reach_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit':
+         'rad/s, m/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5',
+         'drive_6', 'drive_7', 'drive_8'], 'lines': [['drive_0', 'phi_a_0*rate_gain'], ['drive_1',
          'phi_a_1*rate_gain'], ['drive_2', 'phi_a_2*rate_gain'], ['drive_3', 'rate_gain*rho_p_a_0'],
          ['drive_4', 'rate_gain*rho_p_a_1'], ['drive_5', 'rate_gain*rho_p_a_2'], ['drive_6',
          'nu_u_6*rate_gain'], ['drive_7', 'nu_u_7*rate_gain'], ['drive_8', 'nu_u_8*rate_gain']],
@@ -253,29 +290,28 @@
          - nu_u_dot_6*rate_gain - reach_gain*s_6'], ['wanted_7', 'eta_dot_7 - nu_u_dot_7*rate_gain -
          reach_gain*s_7'], ['wanted_8', 'eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8']],
          'cases': []}, {'name': 'turning', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u -
-         eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0',
-         'turning_1', 'turning_2', 'turning_3', 'turning_4', 'turning_5', 'turning_6', 'turning_7',
-         'turning_8'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'],
-         ['turning_2', 'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4
-         - eta_4'], ['turning_5', 'drive_5 - eta_5'], ['turning_6', 'drive_6 - eta_6'],
-         ['turning_7', 'drive_7 - eta_7'], ['turning_8', 'drive_8 - eta_8']], 'cases': []}, {'name':
-         'momentum', 'size': 9, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2',
-         'momentum_3', 'momentum_4', 'momentum_5', 'momentum_6', 'momentum_7', 'momentum_8'],
-         'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'],
-         ['momentum_1', 'inertia_11*nu_3 + inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 +
-         inertia_2*nu_0'], ['momentum_3', 'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4',
-         'inertia_30*nu_4 + inertia_4*nu_0'], ['momentum_5', 'inertia_35*nu_5'], ['momentum_6',
-         'inertia_39*nu_6'], ['momentum_7', 'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']],
-         'cases': []}, {'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force, I f_u',
-         'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7',
-         'force_8'], 'lines': [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 +
-         inertia_4*wanted_4 + momentum_1*turning_2 + momentum_4*turning_5 - momentum_2*turning_1 -
-         momentum_5*turning_4'], ['force_1', 'inertia_11*wanted_3 + inertia_9*wanted_1 +
-         momentum_2*turning_0 + momentum_5*turning_3 - momentum_0*turning_2 -
-         momentum_3*turning_5'], ['force_2', 'inertia_17*wanted_2 + inertia_2*wanted_0 +
-         momentum_0*turning_1 + momentum_3*turning_4 - momentum_1*turning_0 -
+         eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['turning_0', 'turning_1', 'turning_2', 'turning_3', 'turning_4', 'turning_5', 'turning_6',
+         'turning_7', 'turning_8'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 -
+         nu_1'], ['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'], ['turning_4', 's_4 -
+         nu_4'], ['turning_5', 's_5 - nu_5'], ['turning_6', 's_6 - nu_6'], ['turning_7', 's_7 -
+         nu_7'], ['turning_8', 's_8 - nu_8']], 'cases': []}, {'name': 'momentum', 'size': 9, 'unit':
+         'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4',
+         'momentum_5', 'momentum_6', 'momentum_7', 'momentum_8'], 'lines': [['momentum_0',
+         'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'], ['momentum_1', 'inertia_11*nu_3 +
+         inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 + inertia_2*nu_0'], ['momentum_3',
+         'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4', 'inertia_30*nu_4 + inertia_4*nu_0'],
+         ['momentum_5', 'inertia_35*nu_5'], ['momentum_6', 'inertia_39*nu_6'], ['momentum_7',
+         'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']], 'cases': []}, {'name': 'force',
+         'size': 9, 'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2',
+         'force_3', 'force_4', 'force_5', 'force_6', 'force_7', 'force_8'], 'lines': [['force_0',
+         'inertia_0*wanted_0 + inertia_2*wanted_2 + inertia_4*wanted_4 + momentum_1*turning_2 +
+         momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'], ['force_1',
+         'inertia_11*wanted_3 + inertia_9*wanted_1 + momentum_2*turning_0 + momentum_5*turning_3 -
+         momentum_0*turning_2 - momentum_3*turning_5'], ['force_2', 'inertia_17*wanted_2 +
+         inertia_2*wanted_0 + momentum_0*turning_1 + momentum_3*turning_4 - momentum_1*turning_0 -
          momentum_4*turning_3'], ['force_3', 'inertia_11*wanted_1 + inertia_24*wanted_3 +
          momentum_4*turning_2 - momentum_5*turning_1'], ['force_4', 'inertia_30*wanted_4 +
          inertia_4*wanted_0 + momentum_5*turning_0 - momentum_3*turning_2'], ['force_5',
@@ -297,7 +333,7 @@
          'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8']},
          {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the
          law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
-         ['clearance_0']}], 'operations': 627, 'temporaries': 192, 'symbol': 'tracking',
+         ['clearance_0']}], 'operations': 614, 'temporaries': 208, 'symbol': 'tracking',
          'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
          'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
          'public_writes': ['command', 'clearance']}, float precision.
@@ -469,17 +505,23 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float eta_dot_8 = eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8
         - eta_7*nu_e_6;
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const float pairs_a_0 = 1.0F + g_e_0;
+    const float pairs_a_1 = 1.0F - g_e_0;
+    const float pairs_a_2 = g_e_10 + g_e_5;
+    const float pairs_a_3 = g_e_5 - g_e_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_a_0 = 1.0F + g_e_0 - g_e_10 - g_e_5;
+    const float B_a_0 = pairs_a_0 - pairs_a_2;
     const float B_a_1 = g_e_1 + g_e_4;
     const float B_a_2 = g_e_2 + g_e_8;
     const float B_a_3 = g_e_9 - g_e_6;
-    const float B_a_4 = 1.0F + g_e_5 - g_e_0 - g_e_10;
+    const float B_a_4 = pairs_a_1 + pairs_a_3;
     const float B_a_5 = g_e_6 + g_e_9;
     const float B_a_6 = g_e_2 - g_e_8;
-    const float B_a_7 = 1.0F + g_e_10 - g_e_0 - g_e_5;
+    const float B_a_7 = pairs_a_1 - pairs_a_3;
     const float B_a_8 = g_e_4 - g_e_1;
-    const float B_a_9 = 1.0F + g_e_0 + g_e_10 + g_e_5;
+    const float B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     float column_a_0, column_a_1, column_a_2, column_a_3;
@@ -515,20 +557,44 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
+    /* square_a: square of its vector part [1] */
+    const float square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const float norm_square_a = square_a + power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    float norm_bounded_a;
+    if (norm_square_a < 49.0F) {
+        norm_bounded_a = 49.0F;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
     /* norm_a: its length [1] */
-    const float norm_a = sqrtf(1.0e-30F + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    const float norm_a = sqrtf(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const float inverse_norm_a = 1.0F/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
     if (power_a_3 < 0.0F) {
-        scale_a = -1.0F/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0F/norm_a;
+        scale_a = inverse_norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const float cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const float w_a = power_a_3*scale_a;
+    float w_a;
+    if (cosine_a > 1.0F) {
+        w_a = 1.0F;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const float v_a_0 = power_a_0*scale_a;
@@ -569,17 +635,23 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float y_p_a_1 = half_a*rho_p_a_1;
     const float y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const float pairs_b_0 = 1.0F + g_e_16;
+    const float pairs_b_1 = 1.0F - g_e_16;
+    const float pairs_b_2 = g_e_20 + g_e_24;
+    const float pairs_b_3 = g_e_20 - g_e_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_b_0 = 1.0F + g_e_16 - g_e_20 - g_e_24;
+    const float B_b_0 = pairs_b_0 - pairs_b_2;
     const float B_b_1 = g_e_17 + g_e_19;
     const float B_b_2 = g_e_18 + g_e_22;
     const float B_b_3 = g_e_23 - g_e_21;
-    const float B_b_4 = 1.0F + g_e_20 - g_e_16 - g_e_24;
+    const float B_b_4 = pairs_b_1 + pairs_b_3;
     const float B_b_5 = g_e_21 + g_e_23;
     const float B_b_6 = g_e_18 - g_e_22;
-    const float B_b_7 = 1.0F + g_e_24 - g_e_16 - g_e_20;
+    const float B_b_7 = pairs_b_1 - pairs_b_3;
     const float B_b_8 = g_e_19 - g_e_17;
-    const float B_b_9 = 1.0F + g_e_16 + g_e_20 + g_e_24;
+    const float B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     float column_b_0, column_b_1, column_b_2, column_b_3;
@@ -615,31 +687,48 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
+    /* square_b: square of its vector part [1] */
+    const float square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const float norm_square_b = square_b + power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    float norm_bounded_b;
+    if (norm_square_b < 49.0F) {
+        norm_bounded_b = 49.0F;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
     /* norm_b: its length [1] */
-    const float norm_b = sqrtf(1.0e-30F + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    const float norm_b = sqrtf(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const float inverse_norm_b = 1.0F/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
     if (power_b_3 < 0.0F) {
-        scale_b = -1.0F/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0F/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const float w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const float v_b_0 = power_b_0*scale_b;
-    const float v_b_1 = power_b_1*scale_b;
-    const float v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F - w_b));
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
+
+    /* reach_b: p by the scale, but for a number [1] */
+    const float reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const float stretch_b = 2.0F*reach_b;
 
     /* clearance_0: the smaller clearance [1] */
     float clearance_0;
@@ -650,9 +739,9 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     }
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const float nu_u_6 = 2.0F*k_b*v_b_0;
-    const float nu_u_7 = 2.0F*k_b*v_b_1;
-    const float nu_u_8 = 2.0F*k_b*v_b_2;
+    const float nu_u_6 = power_b_0*stretch_b;
+    const float nu_u_7 = power_b_1*stretch_b;
+    const float nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const float turn_a_0 = nu_e_2*v_a_1 - nu_e_1*v_a_2;
@@ -684,15 +773,15 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const float turn_b_0 = nu_e_8*v_b_1 - nu_e_7*v_b_2;
-    const float turn_b_1 = nu_e_6*v_b_2 - nu_e_8*v_b_0;
-    const float turn_b_2 = nu_e_7*v_b_0 - nu_e_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const float turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2;
+    const float turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0;
+    const float turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const float bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const float bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const float bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const float nu_u_dot_0 = nu_e_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -701,9 +790,9 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float nu_u_dot_3 = nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const float nu_u_dot_4 = nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const float nu_u_dot_5 = nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const float nu_u_dot_6 = nu_e_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const float nu_u_dot_7 = nu_e_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const float nu_u_dot_8 = nu_e_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const float nu_u_dot_6 = nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const float nu_u_dot_7 = nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const float nu_u_dot_8 = nu_e_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const float drive_0 = phi_a_0*rate_gain;
@@ -738,16 +827,16 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7;
     const float wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
-    const float turning_3 = drive_3 - eta_3;
-    const float turning_4 = drive_4 - eta_4;
-    const float turning_5 = drive_5 - eta_5;
-    const float turning_6 = drive_6 - eta_6;
-    const float turning_7 = drive_7 - eta_7;
-    const float turning_8 = drive_8 - eta_8;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+    const float turning_3 = s_3 - nu_3;
+    const float turning_4 = s_4 - nu_4;
+    const float turning_5 = s_5 - nu_5;
+    const float turning_6 = s_6 - nu_6;
+    const float turning_7 = s_7 - nu_7;
+    const float turning_8 = s_8 - nu_8;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4;
@@ -827,7 +916,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -841,7 +930,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     /* lower_40: I = L D L^T, entry of L [1] */
     const float lower_40 = inertia_4/divisor_0;
 
-    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_1;
     if (inertia_9 > 0.0F) {
         divisor_1 = inertia_9;
@@ -855,7 +944,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
-    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     float divisor_2;
     if (pivot_2 > 0.0F) {
         divisor_2 = pivot_2;
@@ -958,17 +1047,23 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const float pairs_a_0 = 1.0F + g_0;
+    const float pairs_a_1 = 1.0F - g_0;
+    const float pairs_a_2 = g_10 + g_5;
+    const float pairs_a_3 = g_5 - g_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_a_0 = 1.0F + g_0 - g_10 - g_5;
+    const float B_a_0 = pairs_a_0 - pairs_a_2;
     const float B_a_1 = g_1 + g_4;
     const float B_a_2 = g_2 + g_8;
     const float B_a_3 = g_9 - g_6;
-    const float B_a_4 = 1.0F + g_5 - g_0 - g_10;
+    const float B_a_4 = pairs_a_1 + pairs_a_3;
     const float B_a_5 = g_6 + g_9;
     const float B_a_6 = g_2 - g_8;
-    const float B_a_7 = 1.0F + g_10 - g_0 - g_5;
+    const float B_a_7 = pairs_a_1 - pairs_a_3;
     const float B_a_8 = g_4 - g_1;
-    const float B_a_9 = 1.0F + g_0 + g_10 + g_5;
+    const float B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     float column_a_0, column_a_1, column_a_2, column_a_3;
@@ -1004,20 +1099,44 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
+    /* square_a: square of its vector part [1] */
+    const float square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const float norm_square_a = square_a + power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    float norm_bounded_a;
+    if (norm_square_a < 49.0F) {
+        norm_bounded_a = 49.0F;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
     /* norm_a: its length [1] */
-    const float norm_a = sqrtf(1.0e-30F + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    const float norm_a = sqrtf(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const float inverse_norm_a = 1.0F/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
     if (power_a_3 < 0.0F) {
-        scale_a = -1.0F/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0F/norm_a;
+        scale_a = inverse_norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const float cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const float w_a = power_a_3*scale_a;
+    float w_a;
+    if (cosine_a > 1.0F) {
+        w_a = 1.0F;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const float v_a_0 = power_a_0*scale_a;
@@ -1058,17 +1177,23 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float y_p_a_1 = half_a*rho_p_a_1;
     const float y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const float pairs_b_0 = 1.0F + g_16;
+    const float pairs_b_1 = 1.0F - g_16;
+    const float pairs_b_2 = g_20 + g_24;
+    const float pairs_b_3 = g_20 - g_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_b_0 = 1.0F + g_16 - g_20 - g_24;
+    const float B_b_0 = pairs_b_0 - pairs_b_2;
     const float B_b_1 = g_17 + g_19;
     const float B_b_2 = g_18 + g_22;
     const float B_b_3 = g_23 - g_21;
-    const float B_b_4 = 1.0F + g_20 - g_16 - g_24;
+    const float B_b_4 = pairs_b_1 + pairs_b_3;
     const float B_b_5 = g_21 + g_23;
     const float B_b_6 = g_18 - g_22;
-    const float B_b_7 = 1.0F + g_24 - g_16 - g_20;
+    const float B_b_7 = pairs_b_1 - pairs_b_3;
     const float B_b_8 = g_19 - g_17;
-    const float B_b_9 = 1.0F + g_16 + g_20 + g_24;
+    const float B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     float column_b_0, column_b_1, column_b_2, column_b_3;
@@ -1104,36 +1229,53 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
+    /* square_b: square of its vector part [1] */
+    const float square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const float norm_square_b = square_b + power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    float norm_bounded_b;
+    if (norm_square_b < 49.0F) {
+        norm_bounded_b = 49.0F;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
     /* norm_b: its length [1] */
-    const float norm_b = sqrtf(1.0e-30F + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    const float norm_b = sqrtf(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const float inverse_norm_b = 1.0F/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
     if (power_b_3 < 0.0F) {
-        scale_b = -1.0F/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0F/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const float w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const float v_b_0 = power_b_0*scale_b;
-    const float v_b_1 = power_b_1*scale_b;
-    const float v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F - w_b));
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
+
+    /* reach_b: p by the scale, but for a number [1] */
+    const float reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const float stretch_b = 2.0F*reach_b;
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const float nu_u_6 = 2.0F*k_b*v_b_0;
-    const float nu_u_7 = 2.0F*k_b*v_b_1;
-    const float nu_u_8 = 2.0F*k_b*v_b_2;
+    const float nu_u_6 = power_b_0*stretch_b;
+    const float nu_u_7 = power_b_1*stretch_b;
+    const float nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const float turn_a_0 = nu_2*v_a_1 - nu_1*v_a_2;
@@ -1165,15 +1307,15 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const float turn_b_0 = nu_8*v_b_1 - nu_7*v_b_2;
-    const float turn_b_1 = nu_6*v_b_2 - nu_8*v_b_0;
-    const float turn_b_2 = nu_7*v_b_0 - nu_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const float turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2;
+    const float turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0;
+    const float turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const float bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const float bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const float bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const float nu_u_dot_0 = nu_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -1182,9 +1324,9 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float nu_u_dot_3 = nu_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const float nu_u_dot_4 = nu_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const float nu_u_dot_5 = nu_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const float nu_u_dot_6 = nu_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const float nu_u_dot_7 = nu_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const float nu_u_dot_8 = nu_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const float nu_u_dot_6 = nu_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const float nu_u_dot_7 = nu_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const float nu_u_dot_8 = nu_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const float drive_0 = phi_a_0*rate_gain;
@@ -1572,28 +1714,24 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_4*g_e_4 + g_e_8*g_e_8;
     const float off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
-    const float off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
-    const float off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6;
-    const float off_5 = g_e_10*g_e_10 - 1.0F + g_e_2*g_e_2 + g_e_6*g_e_6;
-    const float off_6 = g_e_0*g_e_10*g_e_5 - 1.0F + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 -
-        g_e_0*g_e_6*g_e_9 - g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8;
-    const float off_7 = g_e_16*g_e_16 - 1.0F + g_e_19*g_e_19 + g_e_22*g_e_22;
-    const float off_8 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23;
-    const float off_9 = g_e_16*g_e_18 + g_e_19*g_e_21 + g_e_22*g_e_24;
-    const float off_10 = g_e_17*g_e_17 - 1.0F + g_e_20*g_e_20 + g_e_23*g_e_23;
-    const float off_11 = g_e_17*g_e_18 + g_e_20*g_e_21 + g_e_23*g_e_24;
-    const float off_12 = g_e_18*g_e_18 - 1.0F + g_e_21*g_e_21 + g_e_24*g_e_24;
-    const float off_13 = g_e_16*g_e_20*g_e_24 - 1.0F + g_e_17*g_e_21*g_e_22 + g_e_18*g_e_19*g_e_23 -
-        g_e_16*g_e_21*g_e_23 - g_e_17*g_e_19*g_e_24 - g_e_18*g_e_20*g_e_22;
-    const float off_17 = g_15 - 1.0F;
-    const float off_21 = g_r_15 - 1.0F;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const float off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const float off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const float off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const float off_6 = g_e_16*g_e_16 - 1.0F + g_e_19*g_e_19 + g_e_22*g_e_22;
+    const float off_7 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23;
+    const float off_8 = g_e_17*g_e_17 - 1.0F + g_e_20*g_e_20 + g_e_23*g_e_23;
+    const float off_9 = g_e_18 + g_e_20*g_e_22 - g_e_19*g_e_23;
+    const float off_10 = g_e_21 + g_e_16*g_e_23 - g_e_17*g_e_22;
+    const float off_11 = g_e_24 + g_e_17*g_e_19 - g_e_16*g_e_20;
+    const float off_15 = g_15 - 1.0F;
+    const float off_19 = g_r_15 - 1.0F;
 
     /* drift: square of the distance from the group [1] */
     const float drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
-        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_12*off_12 +
-        off_13*off_13 + off_17*off_17 + off_2*off_2 + off_21*off_21 + off_3*off_3 + off_4*off_4 +
-        off_5*off_5 + off_6*off_6 + off_7*off_7 + off_8*off_8 + off_9*off_9;
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_15*off_15 +
+        off_19*off_19 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 + off_6*off_6 +
+        off_7*off_7 + off_8*off_8 + off_9*off_9;
 
     /* -- end -- */
 

@@ -64,36 +64,54 @@
  *     'eta_2*nu_e_3 + eta_5*nu_e_0 + eta_dot_arm_0_0*g_e_1 + eta_dot_arm_0_1*g_e_5 +
  *     eta_dot_arm_0_2*g_e_9 - eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5', 'eta_0*nu_e_4 +
  *     eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 -
- *     eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc':
- *     '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4',
- *     'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0 + g_e_0 - g_e_10 - g_e_5'],
- *     ['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', '1.0 +
- *     g_e_5 - g_e_0 - g_e_10'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', '1.0 +
- *     g_e_10 - g_e_0 - g_e_5'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_10 + g_e_5']],
- *     'cases': []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot
- *     vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0',
- *     'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0',
- *     'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
- *     'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
- *     ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7',
- *     'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
- *     'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2',
- *     'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column
- *     after one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
- *     ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
- *     B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
- *     B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
- *     B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
- *     'cases': []}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '',
- *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
- *     'sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)']],
- *     'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >=
- *     0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 < 0.0', 'lines': [['scale',
- *     '-1.0/norm']]}, {'condition': '', 'lines': [['scale', '1.0/norm']]}]}, {'name': 'w', 'size':
- *     1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True,
- *     'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []},
+ *     eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4, 'unit': '1',
+ *     'doc': "what B's diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0',
+ *     '1.0 + g_e_0'], ['pairs_1', '1.0 - g_e_0'], ['pairs_2', 'g_e_10 + g_e_5'], ['pairs_3', 'g_e_5
+ *     - g_e_10']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v,
+ *     w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7',
+ *     'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 - pairs_2'], ['B_1', 'g_e_1 + g_e_4'], ['B_2',
+ *     'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_6 +
+ *     g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', 'pairs_1 - pairs_3'], ['B_8', 'g_e_4 - g_e_1'],
+ *     ['B_9', 'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column', 'size': 4, 'unit': '1',
+ *     'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '',
+ *     'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
+ *     'cases': [{'condition': 'B_9 >= 1.0', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+ *     ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
+ *     'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+ *     'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+ *     ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
+ *     ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size':
+ *     4, 'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines':
+ *     [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
+ *     'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
+ *     B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
+ *     B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1',
+ *     'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+ *     '', 'names': ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 +
+ *     power_2*power_2']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its
+ *     squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['norm_square'], 'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []},
+ *     {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element',
+ *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'],
+ *     'lines': [], 'cases': [{'condition': 'norm_square < 49.0', 'lines': [['norm_bounded',
+ *     '49.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm',
+ *     'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
+ *     'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []},
+ *     {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
+ *     [['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1',
+ *     'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar':
+ *     True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
+ *     'power_3 < 0.0', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines':
+ *     [['scale', 'inverse_norm']]}]}, {'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of
+ *     half the error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+ *     'names': ['cosine'], 'lines': [['cosine', 'power_3*scale']], 'cases': []}, {'name': 'w',
+ *     'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
+ *     True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [], 'cases': [{'condition':
+ *     'cosine > 1.0', 'lines': [['w', '1.0']]}, {'condition': '', 'lines': [['w', 'cosine']]}]},
  *     {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis',
  *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'],
  *     'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']],
@@ -168,13 +186,13 @@
  *     reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'],
  *     ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5', 'eta_dot_5 -
  *     nu_u_dot_5*rate_gain - reach_gain*s_5']], 'cases': []}, {'name': 'turning', 'size': 6,
- *     'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder':
- *     '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2', 'turning_3', 'turning_4',
- *     'turning_5'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'],
- *     ['turning_2', 'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4 -
- *     eta_4'], ['turning_5', 'drive_5 - eta_5']], 'cases': []}, {'name': 'momentum', 'size': 6,
- *     'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '',
- *     'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4',
+ *     'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar':
+ *     False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
+ *     'turning_3', 'turning_4', 'turning_5'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1',
+ *     's_1 - nu_1'], ['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'], ['turning_4', 's_4 -
+ *     nu_4'], ['turning_5', 's_5 - nu_5']], 'cases': []}, {'name': 'momentum', 'size': 6, 'unit':
+ *     'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4',
  *     'momentum_5'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 +
  *     inertia_3*nu_3 + inertia_4*nu_4 + inertia_5*nu_5'], ['momentum_1', 'inertia_1*nu_0 +
  *     inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2 + inertia_8*nu_3 + inertia_9*nu_4'],
@@ -214,7 +232,7 @@
  *     'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4',
  *     'nu_u_dot_5']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
  *     locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
- *     'entries': ['w']}], 'operations': 544, 'temporaries': 126, 'symbol': 'tracking', 'is_public':
+ *     'entries': ['w']}], 'operations': 540, 'temporaries': 135, 'symbol': 'tracking', 'is_public':
  *     False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'external', 'nu_r',
  *     'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
  *     'public_writes': ['command', 'clearance']}, double precision.
@@ -319,7 +337,7 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
 
 /**
  * Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl).
- * Unguarded: presumes what control checks. Cost: 607 operations, 141 temporaries.
+ * Unguarded: presumes what control checks. Cost: 603 operations, 150 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves
@@ -330,7 +348,7 @@ void underwater_f64_tracking(const underwater_f64_params *params, const underwat
 
 /**
  * Force that drives (g, nu) to (e, 0); eq. (Ctrl2).
- * Unguarded: presumes what control checks. Cost: 412 operations, 96 temporaries.
+ * Unguarded: presumes what control checks. Cost: 408 operations, 105 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[out] command what is to be done, and what it was made of

@@ -64,93 +64,111 @@
          eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 + eta_5*nu_e_0 + eta_dot_arm_0_0*g_e_1 +
          eta_dot_arm_0_1*g_e_5 + eta_dot_arm_0_2*g_e_9 - eta_0*nu_e_5 - eta_3*nu_e_2'],
          ['eta_dot_5', 'eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6
-         + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'B',
-         'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of
-         Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0',
-         'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0 +
-         g_e_0 - g_e_10 - g_e_5'], ['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3',
-         'g_e_9 - g_e_6'], ['B_4', '1.0 + g_e_5 - g_e_0 - g_e_10'], ['B_5', 'g_e_6 + g_e_9'],
-         ['B_6', 'g_e_2 - g_e_8'], ['B_7', '1.0 + g_e_10 - g_e_0 - g_e_5'], ['B_8', 'g_e_4 -
-         g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_10 + g_e_5']], 'cases': []}, {'name': 'column', 'size':
-         4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
-         'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0', 'lines': [['column_0',
-         'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition':
-         '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
-         ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
-         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
-         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
-         ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after
-         one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
-         B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
-         B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
-         B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
-         'cases': []}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
-         'sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3)']],
-         'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >=
-         0: the shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 < 0.0', 'lines':
-         [['scale', '-1.0/norm']]}, {'condition': '', 'lines': [['scale', '1.0/norm']]}]}, {'name':
+         + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'pairs',
+         'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'],
+         'lines': [['pairs_0', '1.0 + g_e_0'], ['pairs_1', '1.0 - g_e_0'], ['pairs_2', 'g_e_10 +
+         g_e_5'], ['pairs_3', 'g_e_5 - g_e_10']], 'cases': []}, {'name': 'B', 'size': 10, 'unit':
+         '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and
+         Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1',
+         'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 -
+         pairs_2'], ['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'],
+         ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7',
+         'pairs_1 - pairs_3'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases':
+         []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0',
+         'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0',
+         'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
+         'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
+         ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >=
+         B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
+         'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'],
+         ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1',
+         'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0',
+         'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 +
+         B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
+         B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
+         B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of
+         its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']],
+         'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'],
+         'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name':
+         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
+         'cases': [{'condition': 'norm_square < 49.0', 'lines': [['norm_bounded', '49.0']]},
+         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
+         1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []},
+         {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
+         [['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1',
+         'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
+         'power_3 < 0.0', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines':
+         [['scale', 'inverse_norm']]}]}, {'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of
+         half the error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['cosine'], 'lines': [['cosine', 'power_3*scale']], 'cases': []}, {'name':
          'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w',
-         'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half
-         the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1',
-         'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit':
-         '1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['k'], 'lines': [['k', 'underwater_f64_k(w)']], 'cases': []},
-         {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['h'], 'lines': [['h', 'underwater_f64_h(w)']],
-         'cases': []}, {'name': 'phi', 'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the
-         error', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['phi_0',
-         'phi_1', 'phi_2'], 'lines': [['phi_0', '2.0*k*v_0'], ['phi_1', '2.0*k*v_1'], ['phi_2',
-         '2.0*k*v_2']], 'cases': []}, {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['half'], 'lines':
-         [['half', '0.5/k']], 'cases': []}, {'name': 'swing_p', 'size': 3, 'unit': 'm', 'doc': 'Y
-         p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['swing_p_0',
-         'swing_p_1', 'swing_p_2'], 'lines': [['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1',
-         'g_e_3*v_2 - g_e_11*v_0'], ['swing_p_2', 'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name':
-         'sway_p', 'size': 3, 'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines':
-         [['sway_p_0', 'swing_p_2*v_1 - swing_p_1*v_2'], ['sway_p_1', 'swing_p_0*v_2 -
-         swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0 - swing_p_0*v_1']], 'cases': []}, {'name':
-         'rho_p', 'size': 3, 'unit': 'm', 'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['rho_p_0', 'rho_p_1', 'rho_p_2'], 'lines':
-         [['rho_p_0', 'g_e_3 + h*sway_p_0 - k*swing_p_0'], ['rho_p_1', 'g_e_7 + h*sway_p_1 -
-         k*swing_p_1'], ['rho_p_2', 'g_e_11 + h*sway_p_2 - k*swing_p_2']], 'cases': []}, {'name':
-         'y_p', 'size': 3, 'unit': 'm', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1', 'y_p_2'], 'lines': [['y_p_0',
-         'half*rho_p_0'], ['y_p_1', 'half*rho_p_1'], ['y_p_2', 'half*rho_p_2']], 'cases': []},
-         {'name': 'turn', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source':
-         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2',
-         'turn_3', 'turn_4', 'turn_5'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1',
-         'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'], ['turn_3', 'nu_e_2*y_p_1
-         + nu_e_5*v_1 - nu_e_1*y_p_2 - nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 + nu_e_3*v_2 -
-         nu_e_2*y_p_0 - nu_e_5*v_0'], ['turn_5', 'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 -
-         nu_e_3*v_1']], 'cases': []}, {'name': 'bend', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y
-         nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0',
-         'bend_1', 'bend_2', 'bend_3', 'bend_4', 'bend_5'], 'lines': [['bend_0', 'turn_2*v_1 -
-         turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1'],
-         ['bend_3', 'turn_2*y_p_1 + turn_5*v_1 - turn_1*y_p_2 - turn_4*v_2'], ['bend_4',
-         'turn_0*y_p_2 + turn_3*v_2 - turn_2*y_p_0 - turn_5*v_0'], ['bend_5', 'turn_1*y_p_0 +
-         turn_4*v_0 - turn_0*y_p_1 - turn_3*v_1']], 'cases': []}, {'name': 'm', 'size': 1, 'unit':
-         '1', 'doc': '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['m'], 'lines': [['m', 'underwater_f64_m(w)']], 'cases': []}, {'name': 'along_p', 'size':
-         1, 'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['along_p'], 'lines': [['along_p', '-2.0*(v_0*y_p_0 + v_1*y_p_1 +
-         v_2*y_p_2)']], 'cases': []}, {'name': 'tail', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2
-         + s^2) Y^2 nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['tail_3', 'tail_4', 'tail_5'], 'lines': [['tail_3', 'along_p*bend_0'], ['tail_4',
-         'along_p*bend_1'], ['tail_5', 'along_p*bend_2']], 'cases': []}, {'name': 'twofold', 'size':
-         1, 'unit': '1', 'doc': 'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['twofold'], 'lines': [['twofold', 'h*h - 0.5*k*m']],
-         'cases': []}, {'name': 'nu_u_dot', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'exact rate of
-         nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'],
-         'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h
-         + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2'], ['nu_u_dot_3', 'nu_e_3 +
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [], 'cases':
+         [{'condition': 'cosine > 1.0', 'lines': [['w', '1.0']]}, {'condition': '', 'lines': [['w',
+         'cosine']]}]}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle
+         times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'],
+         ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['k'], 'lines': [['k', 'underwater_f64_k(w)']], 'cases': []}, {'name': 'h', 'size': 1,
+         'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['h'], 'lines': [['h', 'underwater_f64_h(w)']], 'cases': []}, {'name': 'phi',
+         'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['phi_0', 'phi_1', 'phi_2'], 'lines':
+         [['phi_0', '2.0*k*v_0'], ['phi_1', '2.0*k*v_1'], ['phi_2', '2.0*k*v_2']], 'cases': []},
+         {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['half'], 'lines': [['half', '0.5/k']], 'cases': []},
+         {'name': 'swing_p', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['swing_p_0', 'swing_p_1', 'swing_p_2'], 'lines':
+         [['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'],
+         ['swing_p_2', 'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name': 'sway_p', 'size': 3,
+         'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines': [['sway_p_0', 'swing_p_2*v_1 -
+         swing_p_1*v_2'], ['sway_p_1', 'swing_p_0*v_2 - swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0
+         - swing_p_0*v_1']], 'cases': []}, {'name': 'rho_p', 'size': 3, 'unit': 'm', 'doc': 'p - k Y
+         p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['rho_p_0', 'rho_p_1', 'rho_p_2'], 'lines': [['rho_p_0', 'g_e_3 + h*sway_p_0 -
+         k*swing_p_0'], ['rho_p_1', 'g_e_7 + h*sway_p_1 - k*swing_p_1'], ['rho_p_2', 'g_e_11 +
+         h*sway_p_2 - k*swing_p_2']], 'cases': []}, {'name': 'y_p', 'size': 3, 'unit': 'm', 'doc':
+         'rho/(2 k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['y_p_0', 'y_p_1', 'y_p_2'], 'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1',
+         'half*rho_p_1'], ['y_p_2', 'half*rho_p_2']], 'cases': []}, {'name': 'turn', 'size': 6,
+         'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2', 'turn_3', 'turn_4',
+         'turn_5'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 -
+         nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'], ['turn_3', 'nu_e_2*y_p_1 + nu_e_5*v_1
+         - nu_e_1*y_p_2 - nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 + nu_e_3*v_2 - nu_e_2*y_p_0 -
+         nu_e_5*v_0'], ['turn_5', 'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 - nu_e_3*v_1']],
+         'cases': []}, {'name': 'bend', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1',
+         'bend_2', 'bend_3', 'bend_4', 'bend_5'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'],
+         ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1'], ['bend_3',
+         'turn_2*y_p_1 + turn_5*v_1 - turn_1*y_p_2 - turn_4*v_2'], ['bend_4', 'turn_0*y_p_2 +
+         turn_3*v_2 - turn_2*y_p_0 - turn_5*v_0'], ['bend_5', 'turn_1*y_p_0 + turn_4*v_0 -
+         turn_0*y_p_1 - turn_3*v_1']], 'cases': []}, {'name': 'm', 'size': 1, 'unit': '1', 'doc':
+         '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['m'],
+         'lines': [['m', 'underwater_f64_m(w)']], 'cases': []}, {'name': 'along_p', 'size': 1,
+         'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['along_p'], 'lines': [['along_p', '-2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)']],
+         'cases': []}, {'name': 'tail', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2
+         nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_3',
+         'tail_4', 'tail_5'], 'lines': [['tail_3', 'along_p*bend_0'], ['tail_4', 'along_p*bend_1'],
+         ['tail_5', 'along_p*bend_2']], 'cases': []}, {'name': 'twofold', 'size': 1, 'unit': '1',
+         'doc': 'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['twofold'], 'lines': [['twofold', 'h*h - 0.5*k*m']], 'cases': []},
+         {'name': 'nu_u_dot', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0',
+         'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'], 'lines':
+         [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h +
+         k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2'], ['nu_u_dot_3', 'nu_e_3 +
          bend_3*h + k*turn_3 + tail_3*twofold'], ['nu_u_dot_4', 'nu_e_4 + bend_4*h + k*turn_4 +
          tail_4*twofold'], ['nu_u_dot_5', 'nu_e_5 + bend_5*h + k*turn_5 + tail_5*twofold']],
          'cases': []}, {'name': 'drive', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u',
@@ -171,11 +189,11 @@
          reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'],
          ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5', 'eta_dot_5
          - nu_u_dot_5*rate_gain - reach_gain*s_5']], 'cases': []}, {'name': 'turning', 'size': 6,
-         'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2', 'turning_3',
-         'turning_4', 'turning_5'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1',
-         'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'],
-         ['turning_4', 'drive_4 - eta_4'], ['turning_5', 'drive_5 - eta_5']], 'cases': []}, {'name':
+         'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
+         'turning_3', 'turning_4', 'turning_5'], 'lines': [['turning_0', 's_0 - nu_0'],
+         ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'],
+         ['turning_4', 's_4 - nu_4'], ['turning_5', 's_5 - nu_5']], 'cases': []}, {'name':
          'momentum', 'size': 6, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar':
          False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2',
          'momentum_3', 'momentum_4', 'momentum_5'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
@@ -218,7 +236,7 @@
          'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2',
          'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5']}, {'name': 'clearance', 'size': 1, 'unit': '1',
          'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': 'clearance', 'entries': ['w']}], 'operations': 544, 'temporaries': 126,
+         '', 'member': 'clearance', 'entries': ['w']}], 'operations': 540, 'temporaries': 135,
          'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
          'arguments': ['nu', 'external', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
          'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
@@ -415,17 +433,23 @@ static double underwater_f64_law(const underwater_f64_params *params,
     const double eta_dot_5 = eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
         eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const double pairs_0 = 1.0 + g_e_0;
+    const double pairs_1 = 1.0 - g_e_0;
+    const double pairs_2 = g_e_10 + g_e_5;
+    const double pairs_3 = g_e_5 - g_e_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_e_0 - g_e_10 - g_e_5;
+    const double B_0 = pairs_0 - pairs_2;
     const double B_1 = g_e_1 + g_e_4;
     const double B_2 = g_e_2 + g_e_8;
     const double B_3 = g_e_9 - g_e_6;
-    const double B_4 = 1.0 + g_e_5 - g_e_0 - g_e_10;
+    const double B_4 = pairs_1 + pairs_3;
     const double B_5 = g_e_6 + g_e_9;
     const double B_6 = g_e_2 - g_e_8;
-    const double B_7 = 1.0 + g_e_10 - g_e_0 - g_e_5;
+    const double B_7 = pairs_1 - pairs_3;
     const double B_8 = g_e_4 - g_e_1;
-    const double B_9 = 1.0 + g_e_0 + g_e_10 + g_e_5;
+    const double B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
@@ -457,20 +481,44 @@ static double underwater_f64_law(const underwater_f64_params *params,
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const double square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const double norm = sqrt(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const double inverse_norm = 1.0/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
     if (power_3 < 0.0) {
-        scale = -1.0/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const double w = power_3*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const double v_0 = power_0*scale;
@@ -573,13 +621,13 @@ static double underwater_f64_law(const underwater_f64_params *params,
     const double wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const double wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
-    const double turning_3 = drive_3 - eta_3;
-    const double turning_4 = drive_4 - eta_4;
-    const double turning_5 = drive_5 - eta_5;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
+    const double turning_3 = s_3 - nu_3;
+    const double turning_4 = s_4 - nu_4;
+    const double turning_5 = s_5 - nu_5;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 +
@@ -659,7 +707,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
         inertia_18 = params->inertia[18], inertia_19 = params->inertia[19],
         inertia_20 = params->inertia[20];
 
-    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -685,7 +733,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const double pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;
@@ -708,7 +756,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
-    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     double divisor_2;
     if (pivot_2 > 0.0) {
         divisor_2 = pivot_2;
@@ -732,7 +780,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     const double pivot_3 = inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32;
 
-    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     double divisor_3;
     if (pivot_3 > 0.0) {
         divisor_3 = pivot_3;
@@ -752,7 +800,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     const double pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
-    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
     double divisor_4;
     if (pivot_4 > 0.0) {
         divisor_4 = pivot_4;
@@ -839,17 +887,23 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const double pairs_0 = 1.0 + g_0;
+    const double pairs_1 = 1.0 - g_0;
+    const double pairs_2 = g_10 + g_5;
+    const double pairs_3 = g_5 - g_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_0 - g_10 - g_5;
+    const double B_0 = pairs_0 - pairs_2;
     const double B_1 = g_1 + g_4;
     const double B_2 = g_2 + g_8;
     const double B_3 = g_9 - g_6;
-    const double B_4 = 1.0 + g_5 - g_0 - g_10;
+    const double B_4 = pairs_1 + pairs_3;
     const double B_5 = g_6 + g_9;
     const double B_6 = g_2 - g_8;
-    const double B_7 = 1.0 + g_10 - g_0 - g_5;
+    const double B_7 = pairs_1 - pairs_3;
     const double B_8 = g_4 - g_1;
-    const double B_9 = 1.0 + g_0 + g_10 + g_5;
+    const double B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
@@ -881,20 +935,44 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const double square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const double norm = sqrt(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const double inverse_norm = 1.0/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
     if (power_3 < 0.0) {
-        scale = -1.0/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const double w = power_3*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const double v_0 = power_0*scale;
@@ -1370,19 +1448,17 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
     /* off: what vanishes on the group, and only there [1] */
     const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8;
     const double off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
-    const double off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6;
-    const double off_3 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9;
-    const double off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6;
-    const double off_5 = g_e_10*g_e_10 - 1.0 + g_e_2*g_e_2 + g_e_6*g_e_6;
-    const double off_6 = g_e_0*g_e_10*g_e_5 - 1.0 + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 -
-        g_e_0*g_e_6*g_e_9 - g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8;
-    const double off_10 = g_15 - 1.0;
-    const double off_14 = g_r_15 - 1.0;
+    const double off_2 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const double off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const double off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const double off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const double off_9 = g_15 - 1.0;
+    const double off_13 = g_r_15 - 1.0;
 
     /* drift: square of the distance from the group [1] */
     const double drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
-        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_14*off_14 + off_2*off_2 +
-        off_3*off_3 + off_4*off_4 + off_5*off_5 + off_6*off_6;
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_13*off_13 + off_2*off_2 + off_3*off_3 +
+        off_4*off_4 + off_5*off_5 + off_9*off_9;
 
     /* -- end -- */
 
