@@ -10,13 +10,13 @@ from sympy.printing.pycode import MpmathPrinter
 
 from derive.emit import printer
 from derive.emit.printed import routine
-from derive.lie.kernel import NAMES, coefficients, exact
+from derive.lie.kernel import CONSTANTS, NAMES, coefficients, exact
 from derive.routine.derivation import Derivation
 from derive.verify.oracle.precise import exactly as precisely
 from derive.verify.oracle.precise import mp
 
 ABSENT = mp.mpf(10) ** -300
-"""What TINY is here: far below what 60 digits see beside anything but zero."""
+"""What each of CONSTANTS is here: far below what 60 digits see beside anything but zero."""
 
 
 def exactly(d: Derivation, **given: Any) -> dict[str, tuple[Any, ...]]:
@@ -44,7 +44,8 @@ def _compiled(d: Derivation) -> Any:
         f"{q.name!r}: ({''.join(f'{_PRINTER.doprint(e)}, ' for e in row)})" for q, row in d.outputs
     ]
     text = "\n    ".join([f"def run({entries}):", *lines, f"return {{{', '.join(given)}}}"])
-    scope: dict[str, Any] = {"mpmath": mp, "Arc": _arc, "TINY": ABSENT, "SMALL": ABSENT}
+    absent = {str(one): ABSENT for one in CONSTANTS}
+    scope: dict[str, Any] = {"mpmath": mp, "Arc": _arc, **absent}
     exec(compile(text, d.name, "exec"), scope)
     return scope["run"]
 

@@ -53,6 +53,13 @@ _TABLE = (
     Limit("emit, cached", 0.35, "s", "as above, a new inertia of a known pattern"),
     Limit("help", 0.15, "s", "derive --help"),
     Limit("by hand", 1.1, "times", "operations of tracking over a count by hand, SE3 and SE2"),
+    Limit(
+        "eva, alarms", 0, "alarms", "undefined behaviour that Eva cannot rule out, any input bits"
+    ),
+    Limit("eva, not proved", 0, "assertions", "finite, within limits, documented, zero when bad"),
+    Limit("eva, not reached", 0, "lines", "statements that no input reaches"),
+    Limit("eva, overflows", 0, "alarms", "NaN or infinity at any step, inputs within their ranges"),
+    Limit("eva, defects", 0, "missed", "seeded defects that the same runs do not find"),
     Limit("loop", 1e-8, "relative", "W against W(0) exp(-2 k_s t) over 8 s, every group"),
 )
 

@@ -188,8 +188,7 @@ def test_constants_and_kernels_are_explained() -> None:
     assert "k(w) = arccos(w)/sqrt(1 - w^2)" in text
     assert "(1 - w^2) h(w) = 1 - w k(w)" in text
     assert "polynomial of degree 21" in text
-    assert "TINY = 1.0e-290: rounds away" in text
-    assert "SMALL = 1.0e-60: a sine" in text
+    assert "CUT = 5.0e-9: least sine" in text
 
 
 def test_a_group_of_ones_own_is_shown_by_its_basis() -> None:

@@ -16,7 +16,7 @@ from derive.explain.latex import LATEX
 from derive.explain.mathml import MATHML
 from derive.explain.text import TEXT
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, TINY
+from derive.lie.kernel import CONSTANTS
 from derive.routine.derivation import Derivation, Quantity
 from derive.vehicle import Vehicle
 from derive.vehicle.group import group_of
@@ -60,7 +60,7 @@ def stored(group: Group, random: np.random.Generator) -> list[float]:
 def evaluated(vehicle: Vehicle, d: Derivation, seed: int) -> Scope:
     """Every quantity of a routine at a random state, as matrices; configurations as elements."""
     group, random = group_of(vehicle), np.random.default_rng(seed)
-    known: dict[Symbol, Any] = {TINY: sympy.S.Zero, SMALL: sympy.Float(1e-60)}
+    known: dict[Symbol, Any] = dict.fromkeys(CONSTANTS, sympy.Float(1e-60))
     upper = [a for i, row in enumerate(vehicle.inertia) for a in row[i:]]
     row: Any
     for q in d.inputs:
