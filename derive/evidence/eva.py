@@ -39,7 +39,7 @@ SUBDIVIDED = ("-eva-subdivide-non-linear", "4")
 """x * x is not negative: what the boxes need."""
 
 OPTIONS = (
-    *("-eva", "-eva-domains", "equality,symbolic-locations", "-eva-auto-loop-unroll", "64"),
+    *("-eva", "-eva-domains", "equality", "-eva-auto-loop-unroll", "64"),
     *("-eva-slevel", "0", "-eva-slevel-function", "eva_finite:9,eva_nan:9"),
     *("-eva-partition-history", "2", "-eva-interprocedural-history"),
     *("-eva-split-return", "full", "-eva-warn-key", "builtins:override=inactive"),
@@ -112,10 +112,10 @@ def proofs(emitted: Emitted) -> Iterator[Check]:
 def overflows(emitted: Emitted, source: str) -> tuple[tuple[Finding, ...], int]:
     """Alarms of the strict run, and of how many properties it had to decide."""
     whole = ran(emitted, source, IN_RANGE)
-    if not is_sliced(interface(emitted)):
-        return whole.findings, whole.properties
     law = f"{emitted.prefix}_law"
     others = tuple(one for one in whole.findings if one.function != law)
+    if others == whole.findings or not is_sliced(interface(emitted)):
+        return whole.findings, whole.properties
     apart = ran(emitted, source, SLICED)
     return (*others, *apart.findings), whole.properties + apart.properties
 

@@ -12,7 +12,7 @@ from derive.evidence.interface import Interface
 
 STORED = "unit quaternion"
 RATIO = 100.0
-SCALES = {"f32": 4, "f64": 5}
+SCALES = {"f32": 4, "f64": 31}
 """Steps of RATIO from the greatest |v| to below CUT, the least that a law divides by."""
 
 BOUND = 1.01

@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Matrix, Piecewise, pi, sqrt
 
-from derive.lie.kernel import CUT, FLOOR, H, K
+from derive.lie.kernel import CUT, FLOOR, SHORT, H, K
 
 Let = Callable[..., Any]
 """let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
@@ -21,9 +21,6 @@ Let = Callable[..., Any]
 
 NEAR_ROTATION = sympy.Integer(49)
 """Below the squared length of `power`, which is at least 64 for a rotation."""
-
-NEAR_UNIT = sympy.Rational(3, 4)
-"""Below the squared length of a unit quaternion."""
 
 MARKLEY = "polar factor of Markley and Bar-Itzhack"
 
@@ -102,7 +99,7 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
 
 def of_quaternion(let: Let, stored: Matrix) -> Cover:
     """Unit quaternion of stored numbers q (4, 1), scalar first, its sign kept."""
-    norm = _length(let, stored, NEAR_UNIT)
+    norm = _length(let, stored, SHORT)
     scale = let("scale", 1 / norm, "1", "to unit length")
     w = _plain(let, stored[0] * scale)
     v = let("v", stored[1:, :] * scale, "1", "sin of half the error angle times its axis")

@@ -41,7 +41,10 @@ FLOOR = sympy.Symbol("FLOOR", positive=True)
 CUT = sympy.Symbol("CUT", positive=True)
 """Least sine that an error beyond pi is divided by: where a law is refused, it stays bounded."""
 
-CONSTANTS = (TINY, SMALL, FLOOR, CUT)
+SHORT = sympy.Symbol("SHORT", positive=True)
+"""Squared length below which numbers are no quaternion, and are not brought to length 1."""
+
+CONSTANTS = (TINY, SMALL, FLOOR, CUT, SHORT)
 """All of them: zero in the maths, and a number in each scalar."""
 
 

@@ -310,8 +310,8 @@ def _law(
     # norm_square: squared length [1]
     norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 0.75
-    norm_bounded = np.where(norm_bounded_if_0, 0.75, norm_square)
+    norm_bounded_if_0 = norm_square.real < 1.0e-7.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-7, norm_square)
     # norm: length [1]
     norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
@@ -327,8 +327,8 @@ def _law(
     # sine_square: v.v [1]
     sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
     # sine_bounded: the same, away from -i and i [1]
-    sine_bounded_if_0 = sine_square.real < (5.0e-9*5.0e-9).real
-    sine_bounded = np.where(sine_bounded_if_0, 5.0e-9*5.0e-9, sine_square)
+    sine_bounded_if_0 = sine_square.real < (1.0e-60*1.0e-60).real
+    sine_bounded = np.where(sine_bounded_if_0, 1.0e-60*1.0e-60, sine_square)
     # sine: |v| [1]
     sine = np.sqrt(sine_bounded)
     # k: half angle over its sine, on to 2 pi [1]
@@ -402,8 +402,8 @@ def _reaching(
     # norm_square: squared length [1]
     norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 0.75
-    norm_bounded = np.where(norm_bounded_if_0, 0.75, norm_square)
+    norm_bounded_if_0 = norm_square.real < 1.0e-7.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-7, norm_square)
     # norm: length [1]
     norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
@@ -419,8 +419,8 @@ def _reaching(
     # sine_square: v.v [1]
     sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
     # sine_bounded: the same, away from -i and i [1]
-    sine_bounded_if_0 = sine_square.real < (5.0e-9*5.0e-9).real
-    sine_bounded = np.where(sine_bounded_if_0, 5.0e-9*5.0e-9, sine_square)
+    sine_bounded_if_0 = sine_square.real < (1.0e-60*1.0e-60).real
+    sine_bounded = np.where(sine_bounded_if_0, 1.0e-60*1.0e-60, sine_square)
     # sine: |v| [1]
     sine = np.sqrt(sine_bounded)
     # k: half angle over its sine, on to 2 pi [1]

@@ -107,8 +107,8 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 0.75) {
-        norm_bounded = 0.75;
+    if (norm_square < 1.0e-7) {
+        norm_bounded = 1.0e-7;
     } else {
         norm_bounded = norm_square;
     }
@@ -135,8 +135,8 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
 
     /* sine_bounded: the same, away from -i and i [1] */
     double sine_bounded;
-    if (sine_square < (5.0e-9*5.0e-9)) {
-        sine_bounded = 5.0e-9*5.0e-9;
+    if (sine_square < (1.0e-60*1.0e-60)) {
+        sine_bounded = 1.0e-60*1.0e-60;
     } else {
         sine_bounded = sine_square;
     }
@@ -357,8 +357,8 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 0.75) {
-        norm_bounded = 0.75;
+    if (norm_square < 1.0e-7) {
+        norm_bounded = 1.0e-7;
     } else {
         norm_bounded = norm_square;
     }
@@ -385,8 +385,8 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
 
     /* sine_bounded: the same, away from -i and i [1] */
     double sine_bounded;
-    if (sine_square < (5.0e-9*5.0e-9)) {
-        sine_bounded = 5.0e-9*5.0e-9;
+    if (sine_square < (1.0e-60*1.0e-60)) {
+        sine_bounded = 1.0e-60*1.0e-60;
     } else {
         sine_bounded = sine_square;
     }

@@ -106,8 +106,8 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 0.75) {
-        norm_bounded = 0.75;
+    if (norm_square < 1.0e-7) {
+        norm_bounded = 1.0e-7;
     } else {
         norm_bounded = norm_square;
     }
@@ -134,8 +134,8 @@ static void quadrotor_f64_law(const quadrotor_f64_params *params, const quadroto
 
     /* sine_bounded: the same, away from -i and i [1] */
     double sine_bounded;
-    if (sine_square < (5.0e-9*5.0e-9)) {
-        sine_bounded = 5.0e-9*5.0e-9;
+    if (sine_square < (1.0e-60*1.0e-60)) {
+        sine_bounded = 1.0e-60*1.0e-60;
     } else {
         sine_bounded = sine_square;
     }
@@ -330,8 +330,8 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 0.75) {
-        norm_bounded = 0.75;
+    if (norm_square < 1.0e-7) {
+        norm_bounded = 1.0e-7;
     } else {
         norm_bounded = norm_square;
     }
@@ -358,8 +358,8 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
 
     /* sine_bounded: the same, away from -i and i [1] */
     double sine_bounded;
-    if (sine_square < (5.0e-9*5.0e-9)) {
-        sine_bounded = 5.0e-9*5.0e-9;
+    if (sine_square < (1.0e-60*1.0e-60)) {
+        sine_bounded = 1.0e-60*1.0e-60;
     } else {
         sine_bounded = sine_square;
     }
