@@ -12,7 +12,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from derive import __version__, cache, folder, place
+from derive import __version__, cache, folder, place, selftest
 from derive.control.table import CONTROLLERS
 from derive.emit.around import around
 from derive.emit.drift import Drift, compare
@@ -69,7 +69,7 @@ def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.border import border
     from derive.control.kinematic import laws_of
-    from derive.emit.package import package
+    from derive.emit.package import Parts, package
     from derive.theory import cautions
 
     facts = resolve(vehicle)
@@ -88,9 +88,15 @@ def derived(vehicle: Vehicle) -> Printed:
         "element_shape": list(group.shape),
         "is_pole": law.is_pole,
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
+        "is_bounded": list(parts.guard.is_bounded),
+        "saturation": vehicle.limits.saturation,
     }
-    data = package(vehicle.name, parts.main, parts.public, parts.inner, described, border(group))
+    guard = parts.guard
+    whole = Parts(parts.main, parts.public, guard.error, guard.seen, guard.law, guard.drift,
+                  parts.inner, border(group))  # fmt: skip
+    data = package(vehicle.name, whole, described)
     return {
+        "selftest": selftest.kept(vehicle, data, is_pole=law.is_pole),
         "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
         "cautions": cautions(vehicle, group),
         "targets": data,
@@ -102,7 +108,8 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     if cached is None:
         return derived(vehicle)
     kept = ("name", "group", "own", "law", "controller", "pattern", "options")
-    name = cache.key(vehicle=[getattr(vehicle, field) for field in kept])
+    said = [getattr(vehicle, field) for field in kept]
+    name = cache.key(vehicle=[*said, vehicle.limits.saturation])
     data: Printed | None = cache.read(cached, name)
     if data is None:
         data = derived(vehicle)
@@ -122,15 +129,17 @@ def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
     values = _values(vehicle)
     files: dict[str, str] = {}
     used: Printed = {}
+    tests: Printed = {}
     for target in targets(vehicle.targets):
         scalars = {s: p for s, p in data[target.name].items() if s in vehicle.scalars}
-        scalars = scalars or data[target.name]
-        used[target.name] = scalars
-        files |= render(target, scalars, values)
+        used[target.name] = scalars or data[target.name]
+        if target.name == selftest.CODE:
+            tests = selftest.tables(vehicle, kept["selftest"], used[target.name], values)
+        files |= render(target, used[target.name], values, tests)
     first = next(iter(next(iter(used.values())).values()))
     files["trace.csv"] = trace(first, files)
     for target in targets(vehicle.targets):
-        files |= around(target, used[target.name], values)
+        files |= around(target, used[target.name], values, files, has_test=bool(tests))
     files[folder.MANIFEST] = manifest(__version__, values, first["routines"], files)
     return dict(sorted(files.items()))
 
@@ -194,24 +203,13 @@ def verify(
     with_mutants: bool = False,
 ) -> Report:
     """Compile, run and doubt what `emit` would write; see derive.verify.run."""
-    from derive.verify.plant import Plant
     from derive.verify.run import run
 
-    own = vehicle.own
-    judged = Plant(
-        vehicle.group,
-        vehicle.law,
-        vehicle.inertia,
-        tuple(value for _, value in vehicle.gains),
-        vehicle.controller,
-        own=own.basis if own else None,
-        options=vehicle.options,
-    )
     files = texts(vehicle, cached)
     return run(
         vehicle.name,
         files,
-        judged,
+        selftest.plant_of(vehicle),
         each=each,
         seed=seed,
         with_mutants=with_mutants,
@@ -245,4 +243,8 @@ def _values(vehicle: Vehicle) -> dict[str, Any]:
         "controller": vehicle.controller,
         "inertia": upper,
         "gains": vehicle.gains,
+        "force_limit": vehicle.limits.force,
+        "saturation": vehicle.limits.saturation,
+        "max_drift": vehicle.limits.drift,
+        "is_own": vehicle.own is not None,
     }

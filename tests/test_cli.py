@@ -42,10 +42,10 @@ def test_init_writes_a_file_that_emits_and_checks(tmp_path: Path) -> None:
     vehicle = load(tmp_path / "mine.toml")
     assert (vehicle.name, vehicle.group, vehicle.law) == ("mine", "S3", "mrp")
     emitted = derive(tmp_path, "emit", "mine.toml")
-    assert emitted.stdout == "wrote generated/mine (10 files)\n"
+    assert emitted.stdout == "wrote generated/mine (16 files)\n"
     assert emitted.stderr.startswith("warning: mine: law mrp on S3 has no bound towards -i")
     again = derive(tmp_path, "emit", "mine.toml")
-    assert again.stdout == "unchanged generated/mine (10 files)\n"
+    assert again.stdout == "unchanged generated/mine (16 files)\n"
     checked = derive(tmp_path, "check", "mine.toml")
     assert (checked.returncode, checked.stdout) == (0, "same generated/mine\n")
 
@@ -74,7 +74,7 @@ def test_a_known_pattern_is_emitted_without_heavy_imports(home: Path, tmp_path: 
     text = (ROOT / "vehicles" / "paper_so3.toml").read_text().replace("9.3484", "9.5")
     (tmp_path / "new.toml").write_text(text)
     result = derive(tmp_path, "emit", "new.toml", home=home, flags=("-X", "importtime"))
-    assert (result.returncode, result.stdout) == (0, "wrote generated/paper_so3 (10 files)\n")
+    assert (result.returncode, result.stdout) == (0, "wrote generated/paper_so3 (16 files)\n")
     assert "9.5F" in "".join(path.read_text() for path in tmp_path.rglob("*_f32.c")).upper()
     assert "derive.pipeline\n" in result.stderr
     assert not [name for name in HEAVY if f" {name}\n" in result.stderr]
@@ -132,7 +132,7 @@ def test_a_folder_with_foreign_files_is_left_alone(body: Path, home: Path) -> No
 
 def test_a_missing_parent_of_out_is_made(body: Path, home: Path) -> None:
     result = derive(body.parent, "emit", body.name, "--out", "a/b", home=home)
-    assert result.stdout == "wrote a/b/body (10 files)\n"
+    assert result.stdout == "wrote a/b/body (16 files)\n"
     assert [path.name for path in (body.parent / "a" / "b").iterdir()] == ["body"]
 
 
@@ -194,4 +194,4 @@ def test_a_poor_locale_ends_no_command(body: Path, home: Path) -> None:
         command, check=False, capture_output=True, text=True, env=environment, cwd=body.parent
     )
     assert (result.returncode, result.stderr) == (0, "")
-    assert result.stdout == "wrote \\u03a9/out/body (10 files)\n"
+    assert result.stdout == "wrote \\u03a9/out/body (16 files)\n"

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.control.baseline import lsf, lsf_printed, pd_plus
+from derive.control.guard import Guarded, guarded
 from derive.control.kinematic import KinematicLaw
-from derive.control.mechanics import definiteness, plant, residual
+from derive.control.mechanics import definiteness, plant
 from derive.control.sliding import reaching, tracking
 from derive.control.table import CONTROLLERS
 from derive.lie.group import Group
@@ -24,11 +25,16 @@ WRITERS = {
 
 @dataclass(frozen=True)
 class Routines:
-    """The derivations of one vehicle: the guarded law, further public ones, and those inside."""
+    """The derivations of one vehicle.
+
+    main: the law that `control` guards, whole; guard: the same in parts, and what is judged
+    public: the other routines that may be called; inner: those that only check_params calls
+    """
 
     main: Derivation
     public: tuple[Derivation, ...]
     inner: tuple[Derivation, ...]
+    guard: Guarded
 
 
 def routines(
@@ -49,6 +55,5 @@ def routines(
         raise ValueError(f"{what}, not on {group.name} with {law.name}")
     main, *others = (write(group, law, pattern, options) for write in WRITERS[controller])
     bare = tuple(d.without("clearance") for d in others)
-    limits, definite = residual(group), definiteness(group, pattern)
-    inner = (limits, definite) if limits.outputs else (definite,)
-    return Routines(main, (*bare, plant(group, pattern, options)), inner)
+    guard, definite = guarded(group, main), definiteness(group, pattern)
+    return Routines(main.pruned(), (*bare, plant(group, pattern, options)), (definite,), guard)

@@ -11,6 +11,9 @@ from derive.control.table import CONTROLLERS
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
 
+ERROR = "g_e"
+"""The error, as a step of every law with a reference: what the guard judges."""
+
 KINEMATIC = ("nu_u", "kinematic law")
 RATE = ("nu_u_dot", "its exact rate")
 ATTITUDE = ("nu_u", "attitude error")
@@ -48,7 +51,7 @@ def give_command(
     others: Sequence[tuple[tuple[str, str], Matrix, str]],
     clearance: Expr,
 ) -> Derivation:
-    """Declare the outputs, and leave out what none of them needs.
+    """Declare the outputs, and leave out what neither they nor the guard needs.
 
     others: what the command holds besides, (name, doc), (n, 1) and unit
     clearance: of the law, zero at its cut locus
@@ -59,7 +62,7 @@ def give_command(
         d.give(Quantity(name, group.dim, unit, doc, place=f"command.{name}"), value)
     near = "distance from the cut locus of the law"
     d.give(Quantity("clearance", 1, "1", near, is_scalar=True, place="clearance"), clearance)
-    return d.pruned()
+    return d.pruned(keep=ERROR)
 
 
 def _configuration(d: Derivation, group: Group, name: str, doc: str, holder: str) -> Matrix:

@@ -45,13 +45,13 @@ class Quaternion:
         clearance = self.clearance(let, w, v) if self.clearance else sympy.S.One
         factor = self.factor(let, w, v)
         p = let("p", factor, "1", "half of nu_u over v")
-        fall = let("fall", -sympy.diff(factor, w), "1", "-dp/dw")
+        drop = let("drop", -sympy.diff(factor, w), "1", "-dp/dw")
         along = let("along", _along(w, factor), "1", "rate of the law along the axis")
 
         def rate(let: Let, nu_e: Matrix) -> Matrix:
             turn = let("turn", v.cross(nu_e), "rad/s", "v x nu_e")
             bend = let("bend", v.cross(turn), "rad/s", "v x (v x nu_e)")
-            return along * nu_e + p * turn + fall * bend
+            return along * nu_e + p * turn + drop * bend
 
         return Written(2 * p * v, rate, clearance)
 

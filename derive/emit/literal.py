@@ -6,6 +6,7 @@ Floating point enters the product here and in the printer, nowhere else. sympy i
 from __future__ import annotations
 
 import keyword
+import struct
 from fractions import Fraction
 
 MANTISSA_BITS = {"f32": 24, "f64": 53}
@@ -44,3 +45,18 @@ def c_literal(value: Fraction, scalar: str) -> str:
 def python_name(name: str) -> str:
     """A name as Python spells it: a keyword gets a trailing underscore."""
     return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def exact(value: float, scalar: str) -> str:
+    """Shortest decimal text of a number that the scalar holds, as C has its constants."""
+    kind = {"f32": "f", "f64": "d"}[scalar]
+    held = struct.pack(kind, value)
+    texts = (f"{value:.{count}g}" for count in range(1, 18))
+    text = (
+        repr(value)
+        if scalar == "f64"
+        else next(one for one in texts if struct.pack(kind, float(one)) == held)
+    )
+    mantissa, mark, exponent = text.partition("e")
+    mantissa += "" if "." in mantissa else ".0"
+    return (f"{mantissa}e{int(exponent)}" if mark else mantissa) + SUFFIX[scalar]

@@ -6,6 +6,7 @@ Which derivations there are is the caller's business; here they become what temp
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from derive.emit import printer
@@ -19,18 +20,30 @@ CORE = "law"
 """Symbol of the guarded law's body, which also reports its clearance."""
 
 
-def package(
-    name: str,
-    main: Derivation,
-    public: Sequence[Derivation],
-    inner: Sequence[Derivation],
-    facts: Mapping[str, Any],
-    border: Derivation | None = None,
-) -> Printed:
-    """{target: {scalar: data}} for one vehicle; facts go to every template as they are.
+@dataclass(frozen=True)
+class Parts:
+    """The derivations of a vehicle, by what becomes of them.
 
+    main: the law that `control` guards; public: the others that may be called
+    error, law: main from the configurations to g_e, None without a reference, and the rest
+    seen: error as far as law reads it
+    drift: square of the distance of g_e from the group; None where there is none
+    inner: what only check_params calls
     border: from what drivers measure to a configuration, for the example
     """
+
+    main: Derivation
+    public: Sequence[Derivation]
+    error: Derivation | None
+    seen: Derivation | None
+    law: Derivation
+    drift: Derivation | None
+    inner: Sequence[Derivation]
+    border: Derivation | None = None
+
+
+def package(name: str, parts: Parts, facts: Mapping[str, Any]) -> Printed:
+    """{target: {scalar: data}} for one vehicle; facts go to every template as they are."""
     dialects = {
         ("c99", "f32"): printer.c99("f32", f"{name}_f32"),
         ("c99", "f64"): printer.c99("f64", f"{name}_f64"),
@@ -38,39 +51,40 @@ def package(
     }
     return {
         target: {
-            scalar: {
-                **_one(main, public, inner, facts, dialects[target, scalar], target),
-                "border": routine(border, dialects[target, scalar]) if border else None,
-            }
+            scalar: _one(parts, facts, dialects[target, scalar])
             for scalar in TARGETS[target].scalars
         }
         for target in TARGETS
     }
 
 
-def _one(
-    main: Derivation,
-    public: Sequence[Derivation],
-    inner: Sequence[Derivation],
-    facts: Mapping[str, Any],
-    dialect: printer.Dialect,
-    target: str,
-) -> Printed:
-    derivations = [main, *public, *inner]
-    shape = facts["element_shape"]
-    printed = [_declared(routine(d, dialect), d not in inner, shape) for d in derivations]
-    printed[0].update(symbol=CORE, public_writes=["command"])
-    scalar = dialect.scalar if target == "c99" else "f64"
+def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Printed:
+    """The data of one scalar of one target."""
+
+    def declared(d: Derivation | None, is_public: bool = False) -> Printed | None:
+        return _declared(routine(d, dialect), is_public, facts["element_shape"]) if d else None
+
+    main = declared(parts.main, True) or {}
+    main.update(symbol=CORE, public_writes=["command"])
+    more = _margins(main, facts, parts.drift is not None)
+    public = [declared(d, True) for d in parts.public]
+    inner = [declared(d) for d in parts.inner]
+    whole = [parts.main, *parts.public, *parts.inner]
     return {
         **facts,
-        "main": printed[0],
-        "routines": printed,
-        "residual": next((one for one in printed if one["name"] == "residual"), None),
-        "kernels": kernels(derivations, scalar),
-        "structs": _structs(printed[0]),
-        "command": [out for out in printed[0]["outputs"] if out["holder"] == "command"],
+        "main": main,
+        "routines": [main, *public, *inner],
+        "error": declared(parts.error),
+        "seen": declared(parts.seen),
+        "law": declared(parts.law),
+        "drift": declared(parts.drift),
+        "margins": more,
+        "kernels": kernels(whole, dialect.scalar),
+        "structs": _structs(main, more),
+        "command": [out for out in main["outputs"] if out["holder"] == "command"],
         "statuses": [list(status) for status in STATUSES],
         "first_bad": FIRST_BAD,
+        "border": declared(parts.border),
     }
 
 
@@ -101,10 +115,22 @@ def _argument(entry: Printed) -> str:
     return python_name(str(entry["member"]))
 
 
-def _structs(main: Printed) -> list[Printed]:
+def _margins(main: Printed, facts: Mapping[str, Any], has_drift: bool) -> list[Printed]:
+    """Fields of params that only the guard reads."""
+    force = next(out for out in main["outputs"] if out["member"] == "force")
+    drift = "largest distance of the error from the group"
+    limit = ("force_limit", force["size"], force["unit"], "largest force of each coordinate", False)
+    found = [limit] if facts["saturation"] else []
+    found += [("max_drift", 1, "1", drift, True)] if has_drift else []
+    names = ("member", "size", "unit", "doc", "is_scalar")
+    return [{**dict(zip(names, one, strict=True)), "holder": "params"} for one in found]
+
+
+def _structs(main: Printed, more: Sequence[Printed]) -> list[Printed]:
     """params, state, reference, command: the fields in the order of the main routine."""
     fields = main["inputs"] + [out for out in main["outputs"] if out["holder"]]
     holders = dict.fromkeys(field["holder"] for field in fields)
+    fields = [*fields, *more]
     return [
         {"name": holder, "fields": [field for field in fields if field["holder"] == holder]}
         for holder in holders

@@ -21,6 +21,14 @@ WIDTH = 100
 BRIEF = {"control force": "force", "kinematic law": "law"}
 """What a command holds, where nothing else can be meant."""
 
+ABOUT = {
+    "params": "inertia and gains, from the vehicle file or tuned on the target",
+    "state": "what is measured",
+    "reference": "where to be, and how that moves",
+    "command": "what is to be done, and what it was made of",
+}
+"""What the structs of an emitted header are for."""
+
 
 @cache
 def environment() -> jinja2.Environment:
@@ -48,12 +56,15 @@ def environment() -> jinja2.Environment:
         prototype=prototype,
         narrow=narrow,
         leading=leading,
+        conjunction=conjunction,
     )
     return env
 
 
 def fold(line: str, then: int | str) -> str:
     """Break a long line at spaces; `then` is the indent of the lines that follow, or its width."""
+    if len(line) <= WIDTH and "\n" not in line:
+        return line.rstrip()
     indent = then if isinstance(then, str) else " " * then
     return textwrap.fill(
         line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
@@ -69,8 +80,8 @@ def narrow(text: str) -> str:
 def _narrow(line: str) -> str:
     """Put the remark at the end of a line above it; then break at spaces."""
     indent = " " * (len(line) - len(line.lstrip()))
-    code, mark, remark = line.partition(" /* ")
-    lines = [f"{indent}/* {remark}", code] if mark and code.strip() else [line]
+    found = re.fullmatch(r"(.*\S) (/\*\*?)<? (.*)", line)
+    lines = [f"{indent}{found[2]} {found[3]}", found[1]] if found else [line]
     return "\n".join(fold(one, indent + " " * 8) for one in lines)
 
 
@@ -82,6 +93,13 @@ def prototype(line: str, then: int = 8) -> str:
 def pack(items: list[str], head: str) -> str:
     """A C declaration of several names, broken only between them."""
     return prototype(head + ", ".join(items) + ";")
+
+
+def conjunction(conditions: list[str], first: str = "    if (!(", indent: int = 12) -> str:
+    """Conditions of C that all have to hold, behind what stands first, broken before && only."""
+    kept = [one.replace(" ", "\0") for one in conditions]
+    line = (first + " && ".join(kept)).replace("if (", "if\0(").replace(" && ", " &&\0")
+    return fold(line, indent).replace("\0", " ")[len(first) :]
 
 
 def leading(term: list[str]) -> str:
@@ -124,18 +142,26 @@ def batched(shape: list[int]) -> str:
     return f"(..., {', '.join(map(str, shape))})"
 
 
-def render(target: Target, printed: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, str]:
+def render(
+    target: Target, printed: Mapping[str, Any], values: Mapping[str, Any],
+    tests: Mapping[str, Any] | None = None,
+) -> dict[str, str]:  # fmt: skip
     """Every file of one target.
 
     printed: {scalar: {"name", "routines", "kernels", ...}} as the pipeline prints and keeps it
     values:  name, scalars, inertia (upper triangle) and gains of a vehicle, exact
+    tests:   {scalar: table} of `selftest`; nothing for a vehicle without a self-test
     """
     texts: dict[str, str] = {}
     for scalar in target.scalars:
         if scalar not in printed:
             continue
-        context = {**printed[scalar], **spelled(scalar, target, values)}
-        for file in target.files:
+        context = {
+            **printed[scalar],
+            **spelled(scalar, target, values),
+            **(tests or {}).get(scalar, {}),
+        }
+        for file in (one for one in target.files if tests or not one.is_test):
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)
     return texts
@@ -150,15 +176,19 @@ def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str,
     def text(value: Fraction) -> str:
         return number(value, scalar)
 
+    drift = values["max_drift"] or kind.max_drift
     return {
         "vehicle": values["name"],
         "prefix": prefix,
         "macro": prefix.upper(),
         "scalar": kind,
-        "constants": [(name, text(value), doc) for name, value, doc in kind.constants()],
+        "constants": [(name, text(x), doc) for name, x, doc in kind.constants(values["is_own"])],
         "inertia": [text(value) for value in values["inertia"]],
         "gains": [(name, text(value)) for name, value in values["gains"]],
+        "force_limit": [text(value) for value in values["force_limit"]],
+        "max_drift": text(drift),
         "number": text,
+        "about": ABOUT,
     }
 
 

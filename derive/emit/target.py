@@ -23,29 +23,44 @@ class Scalar:
     """A floating-point type: C spelling and the bounds of what `control` accepts.
 
     max_input: largest magnitude of any number in state and reference
-    max_drift: largest residual of a configuration, see `residual` of its group
+    max_entry: largest magnitude of an entry of the error that the group keeps at most 1
+    max_reach: largest magnitude of any other entry of the error; max_own: on a user's group
+    max_drift: distance of the error from the group that is accepted by default
+    most_drift: largest such distance that may be asked for
     near_cut:  clearance below which a command is flagged NEAR_CUT_LOCUS
     refused:   clearance below which a law with a pole is refused
-    max_param: largest inertia entry and gain
+    max_param: largest inertia entry, force limit, and gain that is no rate
+    min_gain, max_rate: least gain, and largest in 1/s
     """
 
     name: str
     type: str
     suffix: str
     max_input: Fraction
+    max_entry: Fraction
+    max_reach: Fraction
+    max_own: Fraction
     max_drift: Fraction
+    most_drift: Fraction
     near_cut: Fraction
     refused: Fraction
     max_param: Fraction
+    min_gain: Fraction
+    max_rate: Fraction
 
-    def constants(self) -> tuple[tuple[str, Fraction, str], ...]:
+    def constants(self, is_own: bool = False) -> tuple[tuple[str, Fraction, str], ...]:
         """(name, value, sentence) of each bound, as headers and modules state them."""
+        reach = self.max_own if is_own else self.max_reach
         return (
             ("MAX_INPUT", self.max_input, "largest magnitude of a number in state or reference"),
-            ("MAX_DRIFT", self.max_drift, "largest residual of a configuration on the group"),
+            ("MAX_ENTRY", self.max_entry, "of an entry of the error that the group keeps at 1"),
+            ("MAX_REACH", reach, "of any other entry of the error"),
+            ("MOST_DRIFT", self.most_drift, "largest max_drift that may be asked for"),
             ("NEAR_CUT", self.near_cut, "clearance below which NEAR_CUT_LOCUS is flagged"),
             ("REFUSED_CUT", self.refused, "clearance below which a law with a pole is refused"),
-            ("MAX_PARAM", self.max_param, "largest magnitude of an inertia entry or a gain"),
+            ("MAX_PARAM", self.max_param, "largest inertia entry, force limit, or other gain"),
+            ("MIN_GAIN", self.min_gain, "least gain"),
+            ("MAX_RATE", self.max_rate, "largest gain in 1/s"),
         )
 
 
@@ -54,17 +69,23 @@ def _scalar(name: str, type_: str, suffix: str, *bounds: str) -> Scalar:
 
 
 SCALARS = {
-    "f32": _scalar("f32", "float", "f", "1e6", "1e-4", "1e-3", "1e-7", "1e9"),
-    "f64": _scalar("f64", "double", "", "1e6", "1e-6", "1e-3", "1e-8", "1e9"),
-}
+    "f32": _scalar("f32", "float", "f", "1e6", "1.01", "4e6", "1e3", "1e-4", "0.1", "1e-3", "1e-5",
+                   "1e9", "1e-9", "1e4"),
+    "f64": _scalar("f64", "double", "", "1e6", "1.01", "4e6", "1e6", "1e-6", "0.1", "1e-3", "1e-8",
+                   "1e9", "1e-9", "1e4"),
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
 class File:
-    """One emitted file: its template and its path, {name} and {scalar} filled in."""
+    """One emitted file: its template and its path, {name} and {scalar} filled in.
+
+    is_test: whether it belongs to the self-test, which only a group with a known truth has
+    """
 
     template: str
     path: str
+    is_test: bool = False
 
 
 @dataclass(frozen=True)
@@ -84,11 +105,15 @@ TARGETS = {
         (
             File("c99/header.h.jinja", "c/include/{name}_{scalar}.h"),
             File("c99/source.c.jinja", "c/src/{name}_{scalar}.c"),
+            File("test/test.h.jinja", "test/{name}_{scalar}_test.h", is_test=True),
+            File("test/test.c.jinja", "test/{name}_{scalar}_test.c", is_test=True),
         ),
         (
             File("package/CMakeLists.txt.jinja", "CMakeLists.txt"),
             File("package/fragment.mk.jinja", "{name}.mk"),
             File("package/main.c.jinja", "example/main.c"),
+            File("test/main.c.jinja", "test/main.c", is_test=True),
+            File("package/DEVIATIONS.md.jinja", "DEVIATIONS.md"),
         ),
     ),
     "numpy": Target("numpy", ("f64",), (File("numpy/module.py.jinja", "numpy/{name}.py"),)),

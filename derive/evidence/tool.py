@@ -7,6 +7,7 @@ import shlex
 import shutil
 import signal
 import subprocess
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,8 +27,9 @@ class Tool:
 
     @property
     def path(self) -> str:
-        """Where it is; raises ToolMissing."""
-        found = shutil.which(self.command)
+        """Where it is, beside the interpreter or on PATH; raises ToolMissing."""
+        beside = str(Path(sys.executable).parent)
+        found = shutil.which(self.command, path=beside) or shutil.which(self.command)
         if not found:
             raise ToolMissing(self)
         return found

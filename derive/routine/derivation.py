@@ -114,9 +114,10 @@ class Derivation:
         entries = (value,) if quantity.is_scalar else tuple(value)
         self.outputs.append((quantity, tuple(sympy.sympify(entry) for entry in entries)))
 
-    def pruned(self) -> Derivation:
-        """The same derivation without the terms that no output needs."""
+    def pruned(self, keep: str = "") -> Derivation:
+        """The same derivation without terms that no output needs; what to keep stays whole."""
         needed = _symbols(entry for _, entries in self.outputs for entry in entries)
+        needed |= _symbols(x for s in self.steps if s.quantity.name == keep for x in s.symbols)
         kept: list[Step] = []
         for step in reversed(self.steps):
             terms = tuple((symbol, value) for symbol, value in step.terms if symbol in needed)
@@ -129,6 +130,25 @@ class Derivation:
         """The same derivation, one output fewer, and pruned."""
         kept = [pair for pair in self.outputs if pair[0].name != output]
         return replace(self, outputs=kept).pruned()
+
+    def parted(self, name: str) -> tuple[Derivation, Derivation]:
+        """The steps up to that of a name, which they give; and the others, which take it.
+
+        Both keep the name, the sentence and the source of the whole. Raises ValueError where an
+        entry of it is an earlier symbol by another name, which the others could not take.
+        """
+        place = [step.quantity.name for step in self.steps].index(name) + 1
+        step = self.steps[place - 1]
+        passed = replace(step.quantity, place=name)
+        if not set().union(*(x.free_symbols for x in step.symbols)) <= {*passed.symbols()}:
+            raise ValueError(f"{self.name}: {name} is made of {step.symbols}")
+        head = replace(self, steps=self.steps[:place], outputs=[(passed, step.symbols)])
+        tail = replace(self, inputs=[*self.inputs, passed], steps=self.steps[place:])
+        return head.pruned().needing(), tail.needing(passed)
+
+    def needing(self, *kept: Quantity) -> Derivation:
+        """The same derivation, its inputs those that are mentioned, or kept all the same."""
+        return replace(self, inputs=[q for q in self.inputs if q in kept or any(self.used(q))])
 
     def used(self, quantity: Quantity) -> tuple[bool, ...]:
         """Which entries of an input some term or output mentions."""

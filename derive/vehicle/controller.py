@@ -7,7 +7,9 @@ from derive.vehicle.key import HOMES
 from derive.vehicle.number import positive
 from derive.vehicle.text import Table, described, quoted
 
-LARGEST_GAIN = Fraction(10**6)
+LEAST_GAIN = Fraction(1, 10**9)
+LARGEST_GAIN, LARGEST_RATE = Fraction(10**6), Fraction(10**4)
+RATE = "1/s"
 EVERYWHERE = "gsmc"
 
 
@@ -24,7 +26,8 @@ def _gain(gains: Table, gain: Gain) -> Fraction:
     """One gain, in its unit."""
     number = f"{gain.name} = 1.0, or another positive number without quotes"
     remedy = f"write {number}, in {gain.unit}, below [gains]"
-    return positive(gains, gain.name, LARGEST_GAIN, remedy)
+    most = LARGEST_RATE if gain.unit == RATE else LARGEST_GAIN
+    return positive(gains, gain.name, most, remedy, LEAST_GAIN)
 
 
 def _refuse_foreign(gains: Table, key: str, name: str) -> None:

@@ -21,6 +21,7 @@ from derive.vehicle.controller import check_controller, gains_of, law_by_default
 from derive.vehicle.experiment import Experiment, experiment
 from derive.vehicle.group import OwnGroup, law_of, spelled
 from derive.vehicle.key import EMIT_KEYS, HOMES, OPTION_KEYS, TOP_KEYS
+from derive.vehicle.limits import Limits, limits
 from derive.vehicle.lookup import Facts, check_law, look_up
 from derive.vehicle.number import matrix, square
 from derive.vehicle.rigid import check_rigid
@@ -52,6 +53,7 @@ class Vehicle:
     own:         the group, where the file describes it; `group` is then its name
     options:     those of OPTIONS that are asked for, sorted
     is_in_fluid: a fluid has a part in the inertia, which then need not be a rigid body's
+    limits:      what `control` keeps the force to, and how far off the group is fine
     experiment:  what a closed loop of it is flown with; nothing emitted depends on it
     """
 
@@ -67,6 +69,7 @@ class Vehicle:
     own: OwnGroup | None = None
     options: tuple[str, ...] = ()
     is_in_fluid: bool = False
+    limits: Limits = field(default_factory=Limits)
     experiment: Experiment = field(default_factory=Experiment)
 
     @property
@@ -104,6 +107,7 @@ def load(path: Path) -> Vehicle:
         own=own,
         options=tuple(option for option in OPTIONS if option in options),
         is_in_fluid=is_in_fluid,
+        limits=limits(top, len(inertia)),
         experiment=experiment(top, len(inertia)),
     )
 

@@ -4,7 +4,7 @@ from derive.control.table import CONTROLLERS
 
 TOP_KEYS = (
     *("schema", "name", "group", "law", "controller", "inertia", "body", "options"),
-    *("gains", "emit", "reference", "simulate"),
+    *("gains", "limits", "emit", "reference", "simulate"),
 )
 GROUP_KEYS = ("name", "basis", "units", "law")
 BODY_KEYS = ("mass", "center", "moments", "added_mass")
@@ -14,6 +14,7 @@ SIMULATE_KEYS = (
     *("duration", "rate", "step", "turn", "nu", "momentum", "external", "disturbance", "wave"),
     *("hertz", "noise_g", "noise_nu", "force_limit", "inertia_error"),
 )
+LIMIT_KEYS = ("force", "saturation", "drift")
 EMIT_KEYS = ("scalars", "targets")
 
 # TOML puts every key below [gains] into it, so a key of the top is easily lost there.
@@ -23,6 +24,7 @@ HOMES = {
     **dict.fromkeys(OPTION_KEYS, "below [options]"),
     "added_mass": "below [body] as a matrix, or below [options] as true",
     **{gain: "below [gains]" for one in CONTROLLERS.values() for gain in one.names},
+    **dict.fromkeys(LIMIT_KEYS, "below [limits]"),
     **dict.fromkeys(EMIT_KEYS, "below [emit]"),
     **dict.fromkeys(SIMULATE_KEYS, "below [simulate]"),
     **dict.fromkeys(REFERENCE_KEYS, "below [reference]"),

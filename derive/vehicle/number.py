@@ -24,12 +24,14 @@ def is_moderate(value: Fraction, most: Fraction = LARGEST_ENTRY) -> bool:
     return not value or SMALLEST <= abs(value) <= most
 
 
-def positive(table: Table, key: str, most: Fraction, remedy: str) -> Fraction:
+def positive(
+    table: Table, key: str, most: Fraction, remedy: str, least: Fraction = SMALLEST
+) -> Fraction:
     """The number under a key that must be there, greater than 0 and of moderate size."""
-    expected = f"a number greater than 0 (at least 1e-30) and at most {shown(most)}"
+    expected = f"a number greater than 0 (at least {shown(least)}) and at most {shown(most)}"
     given = table.require(key, expected, remedy)
     value = number(given)
-    if value is None or not SMALLEST <= value <= most:
+    if value is None or not least <= value <= most:
         raise table.fault(key, expected, described(given), remedy)
     return value
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass
+from typing import Any
 
 from derive.verify.limits import Limit
 
@@ -57,7 +58,7 @@ class Report:
 
     def as_json(self) -> str:
         """The same for machines."""
-        checks = [{**asdict(check), "ok": check.is_ok} for check in self.checks]
+        checks = [{**_plain(check), "ok": check.is_ok} for check in self.checks]
         body = {
             "vehicle": self.vehicle,
             "ok": self.ok,
@@ -73,13 +74,27 @@ class Report:
         return page(self)
 
 
+def figure(measured: float) -> str:
+    """Three digits, and a count in full."""
+    is_count = measured == measured // 1 and abs(measured) < 1e7
+    return f"{measured:.0f}" if is_count else f"{measured:.3g}"
+
+
+def _plain(check: Check) -> dict[str, Any]:
+    """For JSON, which has no infinity: a limit that does not exist has no figure."""
+    plain = asdict(check)
+    if not check.limit.is_promised:
+        plain["limit"]["figure"] = None
+    return plain
+
+
 def _row(check: Check) -> tuple[str, ...]:
     unit = "" if check.limit.unit == "relative" else f" {check.limit.unit}"
     return (
         check.name,
         check.subject,
-        f"{check.measured:.3g}{unit}",
-        f"{check.limit.figure:g}{unit}",
+        f"{figure(check.measured)}{unit}",
+        f"{check.limit.text}{unit}" if check.limit.is_promised else check.limit.text,
         str(check.samples),
         "ok" if check.is_ok else "FAILED",
         check.worst,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 EPS = {"f64": 2.0**-52, "f32": 2.0**-23}
 """One unit in the last place of 1, per scalar."""
@@ -16,6 +17,16 @@ class Limit:
     figure: float
     unit: str
     doc: str
+
+    @property
+    def is_promised(self) -> bool:
+        """Whether there is a figure at all: some things are measured, published, and no more."""
+        return self.figure < inf
+
+    @property
+    def text(self) -> str:
+        """The figure as reports print it, without its unit."""
+        return f"{self.figure:g}" if self.is_promised else "none"
 
 
 _TABLE = (
@@ -37,6 +48,7 @@ _TABLE = (
     Limit("twin", 1e-12, "relative", "CasADi's derivative of the printed formula, mid angles"),
     Limit("symbolic", 1e-40, "relative", "chain rule against closed form, 50 digits"),
     Limit("rows", 0, "rows", "rows that differ, or are not finite"),
+    Limit("findings", 0, "findings", "of an attack: promises of the emitted code that are broken"),
     Limit("mutant", 30, "eps", "movement from which a mutant must be caught"),
     Limit("mutant_own", 4500, "eps", "the same on a user's group: ten times its promise, as above"),
     Limit("coefficient", 1e-9, "relative", "change of a coefficient that a mutant makes"),
@@ -60,8 +72,30 @@ _TABLE = (
     Limit("eva, not reached", 0, "lines", "statements that no input reaches"),
     Limit("eva, overflows", 0, "alarms", "NaN or infinity at any step, inputs within their ranges"),
     Limit("eva, defects", 0, "missed", "seeded defects that the same runs do not find"),
+    Limit("kernel k", 1.5, "eps", "k alone: half of what the log may be off"),
+    Limit("kernel h", 4, "eps", "h alone: what the rate may be off, and it is times s^2 there"),
+    Limit("kernel m", 16, "eps", "m alone: its terms alternate; it is times s^2 or smaller"),
+    Limit("kernel proof", 1, "times", "an error that was found over the bound that was proved"),
+    Limit("findings", 0, "findings", "what a tool may find against the rules, or a rule without"),
     Limit("loop", 1e-8, "relative", "W against W(0) exp(-2 k_s t) over 8 s, every group"),
+    Limit("images", 0, "images", "that could not be built, or did not run to their end"),
+    Limit("clock", 0, "instructions", "that a routine of known length is counted wrong by"),
+    Limit("painted", 0, "B", "that a painted stack shows beyond the static bound"),
+    Limit("mutable", 0, "B", "of .data and .bss"),
+    Limit("M4F SO3 tracking", 340, "instructions", "worst call in float, -O2"),
+    Limit("M4F S3 tracking", 260, "instructions", "worst call in float, -O2"),
+    Limit("M4F spread", 1.1, "times", "most over least instructions of tracking, SO3 and S3"),
+    Limit("M4F guard", 60, "%", "instructions of control beyond tracking's, SO3 and S3"),
+    Limit("M4F stack", 128, "B", "tracking in float, -O2, SO3 and S3"),
+    Limit("M4F stack, guarded", 256, "B", "control in float, -O2, SO3 and S3"),
+    Limit("M4F text", 1400, "B", "tracking with all it calls in float, -Os, SO3 and S3"),
+    Limit("M4F text, guarded", 2200, "B", "the same and control, SO3 and S3"),
 )
 
 LIMITS = {limit.name: limit for limit in _TABLE}
 """Every limit by name."""
+
+
+def published(unit: str) -> Limit:
+    """The limit of what is measured and published, and of which nothing is promised."""
+    return Limit(f"published, {unit}", inf, unit, "measured and published; nothing is promised")

@@ -5,18 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import permutations
 from typing import Any
 
 Row = Sequence[Fraction]
 
 
-def residual(factors: Sequence[str], g: Row) -> list[Fraction] | None:
-    """Of each factor R^T R - 1 (upper triangle), det R - 1 and the rows below; |q|^2 - 1.
+def residual(factors: Sequence[str], g: Row) -> tuple[list[Fraction], list[Fraction]] | None:
+    """What vanishes on the group of its stored numbers: of those that turn, of the rows below.
 
-    None for a factor that is not known, a user's group.
+    Of a rotation: the first columns a unit each and at right angles, the last their product. Of
+    a quaternion: |q|^2 - 1. None for a factor that is not known, a user's group.
     """
-    found: list[Fraction] = []
+    turn, below = list[Fraction](), list[Fraction]()
     start = 0
     for name in factors:
         if vectors := re.fullmatch(r"R([1-9]\d?)", name):
@@ -27,40 +27,32 @@ def residual(factors: Sequence[str], g: Row) -> list[Fraction] | None:
         size, whole = _SIZES[name]
         piece = g[start : start + (4 if name == "S3" else whole**2)]
         start += len(piece)
-        found += _quaternion(piece) if name == "S3" else _rigid(piece, size, whole)
-    return found
+        turn += [_dot(piece, piece) - 1] if name == "S3" else _rotation(piece, size, whole)
+        below += [] if name == "S3" else _below(piece, size, whole)
+    return turn, below
 
 
 _SIZES = {"SO2": (2, 2), "SO3": (3, 3), "S3": (4, 4), "SE2": (2, 3), "SE3": (3, 4), "SE23": (3, 5)}
 """Rows of the rotation and of the matrix."""
 
 
-def _quaternion(q: Row) -> list[Fraction]:
-    return [sum((x * x for x in q), Fraction(-1))]
+def _rotation(g: Row, size: int, whole: int) -> list[Fraction]:
+    a, *others = [[g[i * whole + j] for i in range(size)] for j in range(size)]
+    if size == 2:
+        product, square = [-a[1], a[0]], [_dot(a, a) - 1]
+    else:
+        b = others[0]
+        product = [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
+        square = [_dot(a, a) - 1, _dot(a, b), _dot(b, b) - 1]
+    return [*square, *(x - y for x, y in zip(others[-1], product, strict=True))]
 
 
-def _rigid(g: Row, size: int, whole: int) -> list[Fraction]:
-    rows = [list(g[i * whole : (i + 1) * whole]) for i in range(whole)]
-    columns = [[rows[i][j] for i in range(size)] for j in range(size)]
-    gram = [
-        sum((a * b for a, b in zip(columns[i], columns[j], strict=True)), Fraction(-(i == j)))
-        for i in range(size)
-        for j in range(i, size)
-    ]
-    below = [rows[i][j] - (i == j) for i in range(size, whole) for j in range(whole)]
-    return [*gram, determinant(columns) - 1, *below]
+def _below(g: Row, size: int, whole: int) -> list[Fraction]:
+    return [g[i * whole + j] - (i == j) for i in range(size, whole) for j in range(whole)]
 
 
-def determinant(a: Sequence[Row]) -> Fraction:
-    """By Leibniz's sum, for the 2 or 3 rows there are."""
-    total = Fraction(0)
-    for order in permutations(range(len(a))):
-        swaps = sum(x > y for i, x in enumerate(order) for y in order[i + 1 :])
-        term = Fraction((-1) ** swaps)
-        for i, j in enumerate(order):
-            term *= a[i][j]
-        total += term
-    return total
+def _dot(a: Row, b: Row) -> Fraction:
+    return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
 
 
 def pivots(upper: Row, n: int) -> list[Fraction]:

@@ -63,7 +63,7 @@ def unjudged(vehicle: Plant) -> list[str]:
     """What mutants are not made of, with the reason."""
     if vehicle.own is None:
         return []
-    return [f"mutants of residual: what vanishes on {vehicle.group} is known from its basis alone"]
+    return [f"mutants of drift: what vanishes on {vehicle.group} is known from its basis alone"]
 
 
 def outcomes(
@@ -79,7 +79,8 @@ def outcomes(
     parts = parts_of(vehicle)
     least = LIMITS["mutant" if vehicle.own is None else "mutant_own"].figure
     run = partial(trial, most=MOST, seed=seed, least=least)
-    for d in (parts.main, *parts.public, *parts.inner):
+    drift = parts.guard.drift
+    for d in (parts.main, *parts.public, *([drift] if drift else ()), *parts.inner):
         progress(f"mutants of {d.name}")
         cases = _CASES[d.name](vehicle, each, seed)
         yield d.name, run(d, *cases) if cases else None
@@ -177,16 +178,24 @@ def _plant(vehicle: Plant, each: int, seed: int) -> Trial:
     return [case], [replace(domain, blocks=blocks_of(vehicle))]
 
 
-def _residual(vehicle: Plant, each: int, seed: int) -> Trial | None:
-    """Random numbers near and off the group, exactly; None on a user's group."""
+def _drift(vehicle: Plant, each: int, seed: int) -> Trial | None:
+    """Random numbers off the group, exactly; None on a user's group.
+
+    Of a law with a reference what turns in the error, and the rows below of both configurations.
+    """
     rng = np.random.default_rng([seed, 4])
     size = sum(one.stored for one in space(vehicle.space).shapes)
-    g = rng.normal(size=(200, size))
-    found = [residual(vehicle.factors, [Fraction(x) for x in row]) for row in g]
-    rows = [row for row in found if row is not None]
-    if vehicle.own is not None or not rows:
+    drawn = dict(zip(("g_e", "g", "g_r"), rng.normal(size=(3, 200, size)), strict=True))
+    named = {name: [residual(vehicle.factors, [*map(Fraction, row)]) for row in rows]
+             for name, rows in drawn.items()}  # fmt: skip
+    if vehicle.own is not None or not named["g"][0] or not any(named["g"][0]):
         return None
-    return _exactly("residual", rows, {"g": g.T}, 1.0)
+    parts = [("g_e", 0), ("g", 1), ("g_r", 1)] if vehicle.has_reference else [("g", 0), ("g", 1)]
+    rows = [
+        [sum((x * x for name, part in parts for x in (named[name][i] or ())[part]), Fraction(0))]
+        for i in range(len(drawn["g"]))
+    ]
+    return _exactly("drift", rows, {name: x.T for name, x in drawn.items()}, 0.0)
 
 
 def _definiteness(vehicle: Plant, each: int, seed: int) -> Trial:
@@ -222,6 +231,6 @@ _CASES: dict[str, Callable[[Plant, int, int], Trial | None]] = {
     "tracking": _laws("tracking"),
     "reaching": _laws("reaching"),
     "plant": _plant,
-    "residual": _residual,
+    "drift": _drift,
     "definiteness": _definiteness,
 }

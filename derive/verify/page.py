@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from derive.emit.render import environment
+from derive.verify.check import figure
 from derive.verify.limits import Limit
 
 if TYPE_CHECKING:
@@ -21,7 +22,9 @@ def page(report: Report) -> str:
         "failed": [_row(check) for check in failed],
         "rows": [_row(check) for check in report.checks],
         "skipped": report.skipped,
-        "limits": {check.limit.name: check.limit for check in report.checks}.values(),
+        "limits": {
+            check.limit.name: check.limit for check in report.checks if check.limit.is_promised
+        }.values(),
     }
     return environment().get_template("report/verify.html.jinja").render(context)
 
@@ -29,8 +32,8 @@ def page(report: Report) -> str:
 def _row(check: Check) -> dict[str, object]:
     return {
         "check": check,
-        "measured": f"{check.measured:.3g}{_unit(check.limit)}",
-        "limit": f"{check.limit.figure:g}{_unit(check.limit)}",
+        "measured": f"{figure(check.measured)}{_unit(check.limit)}",
+        "limit": f"{check.limit.text}{_unit(check.limit) if check.limit.is_promised else ''}",
         "share": _share(check),
         "verdict": "ok" if check.is_ok else "failed",
     }

@@ -9,3 +9,9 @@ cubesat_3u_SOURCES := $(addprefix $(cubesat_3u_DIR), \
 cubesat_3u_CPPFLAGS := -I$(cubesat_3u_DIR)c/include
 cubesat_3u_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 cubesat_3u_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+cubesat_3u_TEST_SOURCES := $(addprefix $(cubesat_3u_DIR), \
+    test/cubesat_3u_f32_test.c \
+    test/cubesat_3u_f64_test.c \
+    test/main.c)
+cubesat_3u_TEST_CPPFLAGS := -I$(cubesat_3u_DIR)test -DCUBESAT_3U_CHECK_POINTERS

@@ -9,3 +9,9 @@ freeflyer_SOURCES := $(addprefix $(freeflyer_DIR), \
 freeflyer_CPPFLAGS := -I$(freeflyer_DIR)c/include
 freeflyer_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 freeflyer_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+freeflyer_TEST_SOURCES := $(addprefix $(freeflyer_DIR), \
+    test/freeflyer_f32_test.c \
+    test/freeflyer_f64_test.c \
+    test/main.c)
+freeflyer_TEST_CPPFLAGS := -I$(freeflyer_DIR)test -DFREEFLYER_CHECK_POINTERS

@@ -9,3 +9,9 @@ hovercraft_SOURCES := $(addprefix $(hovercraft_DIR), \
 hovercraft_CPPFLAGS := -I$(hovercraft_DIR)c/include
 hovercraft_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 hovercraft_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+hovercraft_TEST_SOURCES := $(addprefix $(hovercraft_DIR), \
+    test/hovercraft_f32_test.c \
+    test/hovercraft_f64_test.c \
+    test/main.c)
+hovercraft_TEST_CPPFLAGS := -I$(hovercraft_DIR)test -DHOVERCRAFT_CHECK_POINTERS

@@ -9,3 +9,9 @@ paper_s3_SOURCES := $(addprefix $(paper_s3_DIR), \
 paper_s3_CPPFLAGS := -I$(paper_s3_DIR)c/include
 paper_s3_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 paper_s3_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+paper_s3_TEST_SOURCES := $(addprefix $(paper_s3_DIR), \
+    test/paper_s3_f32_test.c \
+    test/paper_s3_f64_test.c \
+    test/main.c)
+paper_s3_TEST_CPPFLAGS := -I$(paper_s3_DIR)test -DPAPER_S3_CHECK_POINTERS

@@ -9,3 +9,9 @@ paper_so3_SOURCES := $(addprefix $(paper_so3_DIR), \
 paper_so3_CPPFLAGS := -I$(paper_so3_DIR)c/include
 paper_so3_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 paper_so3_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+paper_so3_TEST_SOURCES := $(addprefix $(paper_so3_DIR), \
+    test/paper_so3_f32_test.c \
+    test/paper_so3_f64_test.c \
+    test/main.c)
+paper_so3_TEST_CPPFLAGS := -I$(paper_so3_DIR)test -DPAPER_SO3_CHECK_POINTERS

@@ -9,3 +9,9 @@ paper_so3_lsf_printed_SOURCES := $(addprefix $(paper_so3_lsf_printed_DIR), \
 paper_so3_lsf_printed_CPPFLAGS := -I$(paper_so3_lsf_printed_DIR)c/include
 paper_so3_lsf_printed_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 paper_so3_lsf_printed_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+paper_so3_lsf_printed_TEST_SOURCES := $(addprefix $(paper_so3_lsf_printed_DIR), \
+    test/paper_so3_lsf_printed_f32_test.c \
+    test/paper_so3_lsf_printed_f64_test.c \
+    test/main.c)
+paper_so3_lsf_printed_TEST_CPPFLAGS := -I$(paper_so3_lsf_printed_DIR)test -DPAPER_SO3_LSF_PRINTED_CHECK_POINTERS

@@ -9,3 +9,9 @@ paper_so3_pd_plus_SOURCES := $(addprefix $(paper_so3_pd_plus_DIR), \
 paper_so3_pd_plus_CPPFLAGS := -I$(paper_so3_pd_plus_DIR)c/include
 paper_so3_pd_plus_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 paper_so3_pd_plus_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+paper_so3_pd_plus_TEST_SOURCES := $(addprefix $(paper_so3_pd_plus_DIR), \
+    test/paper_so3_pd_plus_f32_test.c \
+    test/paper_so3_pd_plus_f64_test.c \
+    test/main.c)
+paper_so3_pd_plus_TEST_CPPFLAGS := -I$(paper_so3_pd_plus_DIR)test -DPAPER_SO3_PD_PLUS_CHECK_POINTERS

@@ -9,3 +9,9 @@ quadrotor_SOURCES := $(addprefix $(quadrotor_DIR), \
 quadrotor_CPPFLAGS := -I$(quadrotor_DIR)c/include
 quadrotor_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 quadrotor_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+quadrotor_TEST_SOURCES := $(addprefix $(quadrotor_DIR), \
+    test/quadrotor_f32_test.c \
+    test/quadrotor_f64_test.c \
+    test/main.c)
+quadrotor_TEST_CPPFLAGS := -I$(quadrotor_DIR)test -DQUADROTOR_CHECK_POINTERS

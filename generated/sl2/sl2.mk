@@ -9,3 +9,9 @@ sl2_SOURCES := $(addprefix $(sl2_DIR), \
 sl2_CPPFLAGS := -I$(sl2_DIR)c/include
 sl2_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 sl2_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+sl2_TEST_SOURCES := $(addprefix $(sl2_DIR), \
+    test/sl2_f32_test.c \
+    test/sl2_f64_test.c \
+    test/main.c)
+sl2_TEST_CPPFLAGS := -I$(sl2_DIR)test -DSL2_CHECK_POINTERS

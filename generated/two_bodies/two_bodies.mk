@@ -9,3 +9,9 @@ two_bodies_SOURCES := $(addprefix $(two_bodies_DIR), \
 two_bodies_CPPFLAGS := -I$(two_bodies_DIR)c/include
 two_bodies_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 two_bodies_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+two_bodies_TEST_SOURCES := $(addprefix $(two_bodies_DIR), \
+    test/two_bodies_f32_test.c \
+    test/two_bodies_f64_test.c \
+    test/main.c)
+two_bodies_TEST_CPPFLAGS := -I$(two_bodies_DIR)test -DTWO_BODIES_CHECK_POINTERS

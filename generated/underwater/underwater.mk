@@ -9,3 +9,9 @@ underwater_SOURCES := $(addprefix $(underwater_DIR), \
 underwater_CPPFLAGS := -I$(underwater_DIR)c/include
 underwater_CFLAGS := -std=c99 -ffp-contract=off -fno-math-errno
 underwater_LDLIBS := -lm
+# Its self-test, of the sources above and these: 0 when all is well.
+underwater_TEST_SOURCES := $(addprefix $(underwater_DIR), \
+    test/underwater_f32_test.c \
+    test/underwater_f64_test.c \
+    test/main.c)
+underwater_TEST_CPPFLAGS := -I$(underwater_DIR)test -DUNDERWATER_CHECK_POINTERS

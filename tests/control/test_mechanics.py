@@ -145,6 +145,21 @@ def test_an_indefinite_inertia_has_a_negative_pivot(rows: list[list[int]]) -> No
     assert min(pivot) < 0
 
 
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [[0, 1, 1], [1, 2, 0], [1, 0, 3]],
+        [[1, 1, 1], [1, 1, 0], [1, 0, 3]],
+        [[0, 0, 0], [0, 0, 0], [0, 0, 0]],
+    ],
+)
+def test_a_pivot_that_is_zero_divides_nothing(rows: list[list[int]]) -> None:
+    upper = np.array(rows)[np.triu_indices(3)].tolist()
+    pivot = exactly(definiteness(GROUPS["S3"], FULL), inertia=upper)["pivot"]
+    assert min(pivot) <= 0
+    assert all(mp.isfinite(one) for one in pivot)
+
+
 @each_seed
 @pytest.mark.parametrize("name", ["SE3", "SO4", "Random1"])
 def test_solve_is_exact_in_six_dimensions_as_in_three(name: str, seed: int) -> None:

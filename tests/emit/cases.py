@@ -133,7 +133,11 @@ def _ranked(row: Row, limit: float) -> Iterator[Case]:
 def _cut(vehicle: Vehicle, angle: float, is_pole: bool, limits: dict[str, float]) -> Iterator[Case]:
     """A little before the cut, and at it."""
     row, known = good(vehicle), group(vehicle)
-    near, refused = limits["NEAR_CUT"], limits["REFUSED_CUT"]
+    near, fine = (
+        limits["NEAR_CUT"],
+        limits["MAX_DRIFT"] / 100,
+    )  # a law without a pole refuses nothing
+    refused = limits.get("REFUSED_CUT", fine)
     steps = [(1.5 * near, OK), (0.5 * near, NEAR)]
     if refused < 1e-7:  # finer than the entries of a float matrix resolve
         steps += [(10 * refused, NEAR), (0.5 * refused, RANGE if is_pole else NEAR)]

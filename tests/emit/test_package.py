@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from derive import __version__
 from derive.emit import around
 from derive.native.compile import FLAGS, WARNINGS_C, Compiler
 from derive.vehicle import Vehicle
@@ -201,6 +202,13 @@ def test_an_installed_package_is_found(folder: Path, tmp_path: Path) -> None:
     configure(user, tmp_path / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'moved'}")
     make(tmp_path / "build")
     run(tmp_path / "build" / "main")
+    major, _, rest = __version__.partition(".")
+    for asked, is_found in ((__version__, 1), (major, 1), (f"{int(major) + 1}.{rest}", 0)):
+        line = f"find_package({name} {asked} QUIET)"
+        told = f'message(STATUS "found ${{{name}_FOUND}} ${{{name}_VERSION}}")'
+        user = project(tmp_path / asked, "int main(void) { return 0; }", line, told)
+        here = ("-S", user, "-B", user / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'moved'}")
+        assert (f"-- found 1 {__version__}" in run("cmake", *here)) == is_found
 
 
 def test_a_makefile_takes_two_fragments(tmp_path: Path) -> None:

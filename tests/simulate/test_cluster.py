@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import subprocess
-import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,53 +14,17 @@ from derive.crew import let_go
 from derive.simulate import cluster
 from derive.simulate.cluster import Cluster
 from derive.vehicle import InputError
-from tests.command import ROOT
 from tests.simulate.crafts import asked, plan
+from tests.simulate.dask import Dask
+from tests.simulate.dask import cluster as a_cluster
 
 PATIENCE = 2.0  # s
 
 
-class Dask:
-    """A scheduler and a worker that nobody starts again, in processes of their own."""
-
-    def __init__(self, folder: Path) -> None:
-        self._folder, self._started = folder, list[subprocess.Popen[bytes]]()
-        note = folder / "scheduler.json"
-        self.scheduler = self._start("scheduler", "--port", "0", "--scheduler-file", str(note))
-        until(note.exists)
-        self.worker = self._start("worker", "--no-nanny", "--nthreads", "1",
-                                  "--scheduler-file", str(note))  # fmt: skip
-        text = note.read_text()
-        self.address = text[text.index("tcp://") :].partition('"')[0]
-
-    def _start(self, kind: str, *more: str) -> subprocess.Popen[bytes]:
-        command = [sys.executable, "-m", f"distributed.cli.dask_{kind}", "--no-dashboard", *more,
-                   "--host", "127.0.0.1"]  # fmt: skip
-        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-        log = (self._folder / f"{kind}.log").open("wb")
-        made = subprocess.Popen(command, cwd=self._folder, env=environment, stdout=log, stderr=log)
-        log.close()
-        self._started.append(made)
-        return made
-
-    def end(self) -> None:
-        for one in self._started:
-            one.kill()
-            one.wait()
-
-
-def until(is_so: Callable[[], object], seconds: float = 40.0) -> None:
-    end = time.monotonic() + seconds
-    while not is_so():
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
 @pytest.fixture
 def dask(tmp_path: Path) -> Iterator[Dask]:
-    made = Dask(tmp_path)
-    yield made
-    made.end()
+    with a_cluster(tmp_path, 1) as made:
+        yield made
 
 
 @pytest.mark.parametrize(
@@ -80,7 +40,8 @@ def test_a_cluster_that_dies_is_told_and_what_came_back_is_kept(
     def kill(doing: str) -> None:
         if "left" in doing and not ended:
             ended.append(time.monotonic())
-            os.kill(getattr(dask, victim).pid, signal.SIGKILL)
+            process = dask.scheduler if victim == "scheduler" else dask.workers[0]
+            process.kill()
 
     hands = Cluster(dask.address, 20.0, PATIENCE)
     with pytest.raises(InputError, match="of 100 chunks are kept") as caught, let_go(hands):

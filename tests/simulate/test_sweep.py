@@ -7,8 +7,7 @@ import os
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +25,7 @@ from derive.simulate.table import csv
 from derive.vehicle import InputError
 from tests.command import ROOT, derive
 from tests.simulate.crafts import asked, plan, vehicle
+from tests.simulate.dask import cluster, until
 from tests.simulate.sweeps import RUNS, flown, said_of
 
 SHORT = ("--duration", "1", "--rate", "20", "--rate", "30", "--noise-g", "0.001")
@@ -56,25 +56,13 @@ def test_local_workers_do_not_matter_even_if_one_is_killed(truth: bytes, tmp_pat
     assert killer.killed
 
 
-@pytest.fixture
-def cluster() -> Iterator[Any]:
-    """A Dask cluster of two worker processes on this machine."""
-    from distributed import LocalCluster
-
-    with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
-    ) as made:
-        yield made
-
-
-def test_a_cluster_gives_the_same_even_if_a_worker_is_killed(
-    cluster: Any, truth: bytes, tmp_path: Path
-) -> None:
-    killer = Killer(lambda: int(next(iter(cluster.workers.values())).pid))
-    crew = Cluster(cluster.scheduler_address)
-    before = {one.pid for one in cluster.workers.values()}
-    assert flown(tmp_path / "out", crew, 5, killer) == truth
-    assert killer.killed in before
+def test_a_cluster_gives_the_same_even_if_a_worker_is_killed(truth: bytes, tmp_path: Path) -> None:
+    with cluster(tmp_path, 2) as dask:
+        killer = Killer(lambda: dask.workers[0].pid)
+        crew = Cluster(dask.address, 20.0)
+        assert flown(tmp_path / "out", crew, 5, killer) == truth
+        assert killer.killed == dask.workers[0].pid
+        assert dask.workers[0].wait(10) != 0
 
 
 class Lossy:
@@ -239,13 +227,6 @@ def test_the_command_interrupted_and_resumed(tmp_path: Path) -> None:
     assert not (tmp_path / "part" / "chunks").exists()
     found = json.loads((tmp_path / "part" / "summary.json").read_text())
     assert found["runs"] == 240
-
-
-def until(is_so: Callable[[], object], seconds: float = 40.0) -> None:
-    end = time.monotonic() + seconds
-    while not is_so():
-        assert time.monotonic() < end
-        time.sleep(0.01)
 
 
 def test_missing_extras_are_told(monkeypatch: pytest.MonkeyPatch) -> None:

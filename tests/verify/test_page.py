@@ -1,12 +1,13 @@
 """The report as a page: every check, its verdict in words, and nothing fetched."""
 
+import json
 import re
 from html.parser import HTMLParser
 
 import pytest
 
 from derive.verify.check import Check, Report
-from derive.verify.limits import LIMITS
+from derive.verify.limits import LIMITS, published
 
 GOOD = Check("law", "C f64", 2.1, LIMITS["log"], 120, "phi=1")
 CLEAN = Check("bits", "both", 0, LIMITS["rows"], 240)
@@ -53,6 +54,18 @@ def test_every_check_stands_with_its_figures_and_verdict() -> None:
     assert ["✗ FAILED", "rate", "numpy f64", "8 eps", "", "4 eps", "120", "phi=2"] in page.rows
     assert ["✓ ok", "bits", "both", "0 rows", "", "0 rows", "240", ""] in page.rows
     assert [row[0] for row in page.rows].count("✗ FAILED") == 2  # among the failed, and among all
+
+
+def test_what_is_published_without_a_promise_has_no_limit() -> None:
+    free = Check("cost", "M7", 1028, published("instructions"), 65)
+    report = Report("body", (GOOD, free))
+    assert report.ok
+    page = Page(report.as_html())
+    assert ["✓ ok", "cost", "M7", "1028 instructions", "", "none", "65", ""] in page.rows
+    assert not any(row[0].startswith("published") for row in page.rows)
+    assert "1028 instructions  none" in report.table()
+    figures = [check["limit"]["figure"] for check in json.loads(report.as_json())["checks"]]
+    assert figures == [3, None]
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,99 @@
-"""paper_so3_pd_plus: pd_plus on SO3, law lee (sin(angle/2) axis), double precision, batched.
+"""paper_so3_pd_plus: pd_plus on SO3, law {'name': 'tracking', 'doc': 'PD+ force that tracks (g_r,
+nu_r)', 'source': 'eq. (Ctrls3)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg m^2', 'doc':
+'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False, 'holder': 'params',
+'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2], ['inertia_3',
+3], ['inertia_4', 4], ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name': 'k_R',
+'size': 1, 'unit': 'N m', 'doc': 'gain of the attitude error', 'source': '', 'is_scalar': True,
+'holder': 'params', 'member': 'k_R', 'entries': [['k_R', 0]], 'argument': 'k_R', 'shape': (1,)},
+{'name': 'k_Omega', 'size': 1, 'unit': 'N m s', 'doc': 'gain of s', 'source': '', 'is_scalar': True,
+'holder': 'params', 'member': 'k_Omega', 'entries': [['k_Omega', 0]], 'argument': 'k_Omega',
+'shape': (1,)}, {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '',
+'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1],
+['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc':
+'reference velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference',
+'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'argument': 'nu_r',
+'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'its rate', 'source': '',
+'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0],
+['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument': 'nu_r_dot', 'shape': (3,)}, {'name': 'g_e',
+'size': 9, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False,
+'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3],
+['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8]], 'argument': 'g_e', 'shape':
+(9,)}], 'steps': [{'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in the body
+frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0',
+'eta_1', 'eta_2'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1',
+'g_e_1*nu_r_0 + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2', 'g_e_2*nu_r_0 + g_e_5*nu_r_1 +
+g_e_8*nu_r_2']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc': 'velocity error',
+'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0',
+'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2',
+'nu_2 - eta_2']], 'cases': []}, {'name': 'given', 'size': 3, 'unit': 'rad/s^2', 'doc': 'nu_r_dot in
+the body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['given_0',
+'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 +
+g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
+['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []}, {'name': 'B',
+'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley
+and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2',
+'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0 + g_e_0 - g_e_4 - g_e_8'],
+['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0 + g_e_4 -
+g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0 + g_e_8 - g_e_0 -
+g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name':
+'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
+'column_3'], 'lines': [], 'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'],
+['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >=
+B_4.real) & (B_0.real >= B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
+['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4.real >= B_7.real', 'lines':
+[['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition':
+'', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3',
+'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1',
+'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
+B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
+['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0
++ B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm_square', 'size': 1,
+'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['norm_square'], 'lines': [['norm_square', 'power_0*power_0 + power_1*power_1 +
+power_2*power_2 + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1',
+'doc': 'the same: less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square.real < 49.0', 'lines':
+[['norm_bounded', '49.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]},
+{'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True, 'holder':
+'', 'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(norm_bounded)']], 'cases': []},
+{'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way
+round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines':
+[], 'cases': [{'condition': 'power_3.real < 0.0', 'lines': [['scale', '-1.0/norm']]}, {'condition':
+'', 'lines': [['scale', '1.0/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half
+the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
+'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin
+of half the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+'', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'],
+['v_2', 'power_2*scale']], 'cases': []}, {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc':
+'k_R/k_Omega', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'],
+'lines': [['ratio', 'k_R/k_Omega']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
+'sliding variable', 'source': 'eq. (s3)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 + ratio*v_0'], ['s_1', 'nu_e_1 + ratio*v_1'],
+['s_2', 'nu_e_2 + ratio*v_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s',
+'doc': 'I eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'eta_0*inertia_0 +
+eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 + eta_1*inertia_3 +
+eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 + eta_2*inertia_5']], 'cases':
+[]}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': 'eq. (Ctrls3)',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines':
+[['force_0', 'eta_1*momentum_2 + given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2 -
+eta_2*momentum_1 - k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 + given_0*inertia_1 +
+given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'], ['force_2',
+'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 - eta_1*momentum_0 -
+k_Omega*s_2']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N m', 'doc':
+'control force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force',
+'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
+'sliding variable', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries':
+['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'attitude error',
+'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['v_0', 'v_1',
+'v_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the
+law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries': ['w']}],
+'operations': 147, 'temporaries': 45, 'symbol': 'tracking', 'is_public': False, 'holders':
+['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference':
+True, 'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
+precision, batched.
 
 Generated by derive from the vehicle file paper_so3_pd_plus.toml; regenerate instead of editing.
 Configuration: rotation matrix, row by row.
@@ -13,29 +108,40 @@ from typing import Any, NamedTuple
 import numpy as np
 
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
-MAX_DRIFT = 1.0e-6  # largest residual of a configuration on the group
+MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
+MAX_REACH = 4.0e6  # of any other entry of the error
+MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
 REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
-MAX_PARAM = 1.0e9  # largest magnitude of an inertia entry or a gain
+MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
+MIN_GAIN = 1.0e-9  # least gain
+MAX_RATE = 1.0e4  # largest gain in 1/s
 
 OK = 0  # the command is good
 SATURATED = 1  # a force limit was reached
 NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps
-NOT_ON_GROUP = 16  # a configuration is off the group by more than MAX_DRIFT
-OUT_OF_RANGE = 17  # above MAX_INPUT, or within REFUSED_CUT of a pole
+NOT_ON_GROUP = 16  # the error is off the group by more than max_drift
+OUT_OF_RANGE = 17  # beyond MAX_INPUT, or too near a pole of the law
 NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite
 BAD_PARAMS = 19  # found by check_params
 
+BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY,
+          MAX_ENTRY)  # of the error's entries
+FREE = np.array(BOUNDS) > MAX_ENTRY
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
 
 class Params(NamedTuple):
-    """Inertia, upper triangle row by row (..., 6), and gains, each (...)."""
+    """Inertia, upper triangle row by row (..., 6), and gains, each (...).
+
+    What `control` keeps to has the vehicle's values where it is left out.
+    """
 
     inertia: Array
     k_R: Array
     k_Omega: Array
+    max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
 class Command(NamedTuple):
@@ -72,21 +178,24 @@ def control(
         _real("nu_r", nu_r, (3,)),
         _real("nu_r_dot", nu_r_dot, (3,)),
     ]
+    max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
-        batch = command[0].shape[:-1]
-        found = [
-            _judge(given[3], True),
-            _judge(given[4], False),
-            _judge(given[5], True),
-            _judge(given[6], False),
-            _judge(given[7], False),
-        ]
-        worst = np.maximum.reduce([np.broadcast_to(one, batch) for one in found])
-        finite = np.stack([np.isfinite(one).all(-1) for one in command]).all(0)
-        status = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
-        status = np.where(finite, status, NONFINITE_INPUT)
-        status = np.where(worst == OK, status, worst)
+        g_e = _batched(_error, [given[3], given[5]])[0]
+        good = (np.abs(g_e) <= BOUNDS).all(-1)
+        good = good & ((np.abs(given[3]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[4]) <= MAX_INPUT).all(-1)
+        good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
+        good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
+        good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
+        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
+        far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
+        refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
+        for rows in (given[3], given[4], given[5], given[6], given[7]):
+            refused = np.maximum(refused, _judge(rows))
+        status = np.where(good, np.maximum(status, near), refused)
     bad = (status >= 16)[..., None]
     return Command(*(np.where(bad, 0.0, one) for one in command), status)
 
@@ -106,8 +215,10 @@ def check_params(params: Params = DEFAULTS) -> Array:
     with np.errstate(all="ignore"):
         pivots = _batched(_definiteness, [inertia])[0]
         good = (np.abs(inertia) <= MAX_PARAM).all(-1) & (pivots > 0.0).all(-1)
-        for gain in gains:
-            good = good & ((gain > 0.0) & (gain <= MAX_PARAM))[..., 0]
+        good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_PARAM))[..., 0]
+        good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_PARAM))[..., 0]
+        drift = _real("max_drift", params.max_drift, ())
+        good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
 
 
@@ -195,13 +306,9 @@ def _batched(law: Any, given: list[Array]) -> list[Array]:
     return [output.reshape(*batch, output.shape[-1]) for output in outputs]
 
 
-def _judge(rows: Array, is_configuration: bool) -> Array:
-    """OK, NOT_ON_GROUP, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
+def _judge(rows: Array) -> Array:
+    """OK, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
     status = np.where((np.abs(rows) > MAX_INPUT).any(-1), OUT_OF_RANGE, OK)
-    if is_configuration:
-        residual = _batched(_residual, [rows])[0]
-        off = ~(np.abs(residual) <= MAX_DRIFT).all(-1)
-        status = np.where(off & (status == OK), NOT_ON_GROUP, status)
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
 
 
@@ -371,28 +478,6 @@ def _plant(
     )
 
 
-def _residual(
-    g: Array,
-) -> Array:
-    """Distance of stored numbers from the group."""
-    # -- residual --
-    g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8 = (
-        g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8]
-    )
-    # off: deviation from the group [1]
-    off_0 = g_0*g_0 - 1.0 + g_3*g_3 + g_6*g_6
-    off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7
-    off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8
-    off_3 = g_1*g_1 - 1.0 + g_4*g_4 + g_7*g_7
-    off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8
-    off_5 = g_2*g_2 - 1.0 + g_5*g_5 + g_8*g_8
-    off_6 = g_0*g_4*g_8 - 1.0 + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 - g_2*g_4*g_6
-    # -- end --
-    return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6),
-    )
-
-
 def _definiteness(
     inertia: Array,
 ) -> Array:
@@ -401,7 +486,7 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -410,7 +495,7 @@ def _definiteness(
     lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [kg m^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is bad [kg m^2]
+    # divisor_1: the pivot, or 1 where it is not positive [kg m^2]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
@@ -420,4 +505,61 @@ def _definiteness(
     # -- end --
     return (
         (inertia_0, pivot_1, pivot_2),
+    )
+
+
+def _error(
+    g: Array, g_r: Array,
+) -> Array:
+    """PD+ force that tracks (g_r, nu_r); eq. (Ctrls3)."""
+    # -- tracking --
+    g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8 = (
+        g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8]
+    )
+    g_r_0, g_r_1, g_r_2, g_r_3, g_r_4, g_r_5, g_r_6, g_r_7, g_r_8 = (
+        g_r[0], g_r[1], g_r[2], g_r[3], g_r[4], g_r[5], g_r[6], g_r[7], g_r[8]
+    )
+    # g_e: error, g_r^-1 g [1], eq. (velErr)
+    g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6
+    g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6
+    g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6
+    g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7
+    g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7
+    g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7
+    g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8
+    g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8
+    g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8
+    # -- end --
+    return (
+        (g_e_0, g_e_1, g_e_2, g_e_3, g_e_4, g_e_5, g_e_6, g_e_7, g_e_8),
+    )
+
+
+def _drift(
+    g_e: Array,
+) -> Array:
+    """Square of the distance from the group."""
+    # -- drift --
+    g_e_0, g_e_1, g_e_2, g_e_3, g_e_4, g_e_5, g_e_6, g_e_7, g_e_8 = (
+        g_e[0], g_e[1], g_e[2], g_e[3], g_e[4], g_e[5], g_e[6], g_e[7], g_e[8]
+    )
+    # off: what vanishes on the group, and only there [1]
+    off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3 + g_e_6*g_e_6
+    off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7
+    off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8
+    off_3 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
+    off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8
+    off_5 = g_e_2*g_e_2 - 1.0 + g_e_5*g_e_5 + g_e_8*g_e_8
+    off_6 = (
+        g_e_0*g_e_4*g_e_8 - 1.0 + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 - g_e_0*g_e_5*g_e_7 -
+        g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6
+    )
+    # drift: square of the distance from the group [1]
+    drift = (
+        off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 +
+        off_6*off_6
+    )
+    # -- end --
+    return (
+        (drift,),
     )

@@ -1,4 +1,127 @@
-"""quadrotor: gsmc on S3, law log (the rotation vector), double precision, batched.
+"""quadrotor: gsmc on S3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
+nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg m^2',
+'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False, 'holder': 'params',
+'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_2', 2], ['inertia_3', 3], ['inertia_5',
+5]], 'argument': 'inertia', 'shape': (6,)}, {'name': 'rate_gain', 'size': 1, 'unit': '1/s', 'doc':
+'sliding rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'lambda', 'entries':
+[['rate_gain', 0]], 'argument': 'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit':
+'1/s', 'doc': 'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
+'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size': 3, 'unit':
+'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False, 'holder': 'state', 'member':
+'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name':
+'nu_r', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity, reference body frame', 'source': '',
+'is_scalar': False, 'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
+['nu_r_2', 2]], 'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit':
+'rad/s^2', 'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member':
+'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
+'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1 g',
+'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0',
+0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape': (4,)}], 'steps':
+[{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1: reference to body frame',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['to_body_0', 'to_body_1',
+'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'], 'lines':
+[['to_body_0', '1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3'], ['to_body_1', '2.0*(g_e_0*g_e_3 +
+g_e_1*g_e_2)'], ['to_body_2', '2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2 -
+g_e_0*g_e_3)'], ['to_body_4', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5',
+'2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7',
+'2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2']],
+'cases': []}, {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in the body
+frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0',
+'eta_1', 'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'],
+['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 +
+nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s',
+'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
+'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
+eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit':
+'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 +
+nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1',
+'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
+['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
+eta_1*nu_e_0']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'squared
+length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'],
+'lines': [['norm_square', 'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []},
+{'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases':
+[{'condition': 'norm_square.real < 1.0e-7.real', 'lines': [['norm_bounded', '1.0e-7']]},
+{'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit':
+'1', 'doc': 'length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm'], 'lines': [['norm', 'np.sqrt(norm_bounded)']], 'cases': []}, {'name': 'scale', 'size': 1,
+'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['scale'], 'lines': [['scale', '1.0/norm']], 'cases': []}, {'name': 'w', 'size': 1, 'unit':
+'1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['w'], 'lines': [['w', 'g_e_0*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit':
+'1', 'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'g_e_1*scale'],
+['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'cases': []}, {'name': 'k_near', 'size': 1, 'unit':
+'1', 'doc': 'half angle over its sine, for |w|', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['k_near'], 'lines': [['k_near', '_k(np.where(w.real < 0.0, -w, w))']],
+'cases': []}, {'name': 'sine_square', 'size': 1, 'unit': '1', 'doc': 'v.v', 'source': '',
+'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine_square'], 'lines': [['sine_square',
+'v_0*v_0 + v_1*v_1 + v_2*v_2']], 'cases': []}, {'name': 'sine_bounded', 'size': 1, 'unit': '1',
+'doc': 'the same, away from -i and i', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['sine_bounded'], 'lines': [], 'cases': [{'condition': 'sine_square.real <
+(1.0e-60*1.0e-60).real', 'lines': [['sine_bounded', '1.0e-60*1.0e-60']]}, {'condition': '', 'lines':
+[['sine_bounded', 'sine_square']]}]}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': '|v|',
+'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'], 'lines': [['sine',
+'np.sqrt(sine_bounded)']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle
+over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['k'], 'lines': [], 'cases': [{'condition': 'w.real >= 0.0', 'lines': [['k', 'k_near']]},
+{'condition': '', 'lines': [['k', '3.141592653589793/sine - k_near']]}]}, {'name': 'h', 'size': 1,
+'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['h'], 'lines': [['h', '(1.0 - k*w)/sine_bounded']], 'cases': []}, {'name':
+'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['distance'], 'lines': [], 'cases': [{'condition': 'w.real <
+0.0', 'lines': [['distance', 'sine']]}, {'condition': '', 'lines': [['distance', '1.0']]}]},
+{'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law, the rotation vector', 'source':
+'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1',
+'nu_u_2'], 'lines': [['nu_u_0', '2.0*k*v_0'], ['nu_u_1', '2.0*k*v_1'], ['nu_u_2', '2.0*k*v_2']],
+'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines':
+[['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2',
+'nu_e_1*v_0 - nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x
+(v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0',
+'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 -
+turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3,
+'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0
++ bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 +
+bend_2*h + k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda
+nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1',
+'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
+'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
+variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2',
+'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc':
+'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
+reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2',
+'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3,
+'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 -
+eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
+'inertia_0*nu_0 + inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0
++ inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control
+force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 +
+momentum_1*turning_2 - momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1 +
+momentum_2*turning_0 - momentum_0*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2
++ momentum_0*turning_1 - momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force',
+'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
+'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size':
+3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit':
+'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
+'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s',
+'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
+'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
+'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True,
+'holder': '', 'member': 'clearance', 'entries': ['distance']}], 'operations': 185, 'temporaries':
+63, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
+'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
+'clearance'], 'public_writes': ['command', 'clearance']}, double precision, batched.
 
 Generated by derive from the vehicle file quadrotor.toml; regenerate instead of editing.
 Configuration: unit quaternion, Hamilton, scalar first.
@@ -13,29 +136,39 @@ from typing import Any, NamedTuple
 import numpy as np
 
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
-MAX_DRIFT = 1.0e-6  # largest residual of a configuration on the group
+MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
+MAX_REACH = 4.0e6  # of any other entry of the error
+MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
 REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
-MAX_PARAM = 1.0e9  # largest magnitude of an inertia entry or a gain
+MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
+MIN_GAIN = 1.0e-9  # least gain
+MAX_RATE = 1.0e4  # largest gain in 1/s
 
 OK = 0  # the command is good
 SATURATED = 1  # a force limit was reached
 NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps
-NOT_ON_GROUP = 16  # a configuration is off the group by more than MAX_DRIFT
-OUT_OF_RANGE = 17  # above MAX_INPUT, or within REFUSED_CUT of a pole
+NOT_ON_GROUP = 16  # the error is off the group by more than max_drift
+OUT_OF_RANGE = 17  # beyond MAX_INPUT, or too near a pole of the law
 NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite
 BAD_PARAMS = 19  # found by check_params
 
+BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY)  # of the error's entries
+FREE = np.array(BOUNDS) > MAX_ENTRY
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
 
 class Params(NamedTuple):
-    """Inertia, upper triangle row by row (..., 6), and gains, each (...)."""
+    """Inertia, upper triangle row by row (..., 6), and gains, each (...).
+
+    What `control` keeps to has the vehicle's values where it is left out.
+    """
 
     inertia: Array
     lambda_: Array
     k_s: Array
+    max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
 class Command(NamedTuple):
@@ -73,22 +206,25 @@ def control(
         _real("nu_r", nu_r, (3,)),
         _real("nu_r_dot", nu_r_dot, (3,)),
     ]
+    max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
-        batch = command[0].shape[:-1]
-        found = [
-            _judge(given[3], True),
-            _judge(given[4], False),
-            _judge(given[5], True),
-            _judge(given[6], False),
-            _judge(given[7], False),
-        ]
-        worst = np.maximum.reduce([np.broadcast_to(one, batch) for one in found])
-        finite = np.stack([np.isfinite(one).all(-1) for one in command]).all(0)
-        status = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
-        status = np.where(clearance[..., 0] < REFUSED_CUT, OUT_OF_RANGE, status)
-        status = np.where(finite, status, NONFINITE_INPUT)
-        status = np.where(worst == OK, status, worst)
+        g_e = _batched(_error, [given[3], given[5]])[0]
+        good = (np.abs(g_e) <= BOUNDS).all(-1)
+        good = good & ((np.abs(given[3]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[4]) <= MAX_INPUT).all(-1)
+        good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
+        good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
+        good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
+        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
+        near = np.where(clearance[..., 0] < REFUSED_CUT, OUT_OF_RANGE, near)
+        far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
+        refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
+        for rows in (given[3], given[4], given[5], given[6], given[7]):
+            refused = np.maximum(refused, _judge(rows))
+        status = np.where(good, np.maximum(status, near), refused)
     bad = (status >= 16)[..., None]
     return Command(*(np.where(bad, 0.0, one) for one in command), status)
 
@@ -109,8 +245,10 @@ def check_params(params: Params = DEFAULTS) -> Array:
         pivots = _batched(_definiteness, [inertia])[0]
         good = (np.abs(inertia) <= MAX_PARAM).all(-1) & (pivots > 0.0).all(-1)
         good = good & (inertia[..., [1, 4]] == 0.0).all(-1)
-        for gain in gains:
-            good = good & ((gain > 0.0) & (gain <= MAX_PARAM))[..., 0]
+        good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
+        good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        drift = _real("max_drift", params.max_drift, ())
+        good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
 
 
@@ -219,13 +357,9 @@ def _batched(law: Any, given: list[Array]) -> list[Array]:
     return [output.reshape(*batch, output.shape[-1]) for output in outputs]
 
 
-def _judge(rows: Array, is_configuration: bool) -> Array:
-    """OK, NOT_ON_GROUP, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
+def _judge(rows: Array) -> Array:
+    """OK, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
     status = np.where((np.abs(rows) > MAX_INPUT).any(-1), OUT_OF_RANGE, OK)
-    if is_configuration:
-        residual = _batched(_residual, [rows])[0]
-        off = ~(np.abs(residual) <= MAX_DRIFT).all(-1)
-        status = np.where(off & (status == OK), NOT_ON_GROUP, status)
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
 
 
@@ -507,27 +641,13 @@ def _plant(
     )
 
 
-def _residual(
-    g: Array,
-) -> Array:
-    """Distance of stored numbers from the group."""
-    # -- residual --
-    g_0, g_1, g_2, g_3 = g[0], g[1], g[2], g[3]
-    # off: deviation from the group [1]
-    off_0 = g_0*g_0 - 1.0 + g_1*g_1 + g_2*g_2 + g_3*g_3
-    # -- end --
-    return (
-        (off_0,),
-    )
-
-
 def _definiteness(
     inertia: Array,
 ) -> Array:
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
     inertia_0, inertia_2, inertia_3, inertia_5 = inertia[0], inertia[2], inertia[3], inertia[5]
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
@@ -537,4 +657,38 @@ def _definiteness(
     # -- end --
     return (
         (inertia_0, inertia_3, pivot_2),
+    )
+
+
+def _error(
+    g: Array, g_r: Array,
+) -> Array:
+    """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
+    # -- tracking --
+    g_0, g_1, g_2, g_3 = g[0], g[1], g[2], g[3]
+    g_r_0, g_r_1, g_r_2, g_r_3 = g_r[0], g_r[1], g_r[2], g_r[3]
+    # g_e: error, g_r^-1 g [1], eq. (velErr)
+    g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3
+    g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2
+    g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3
+    g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1
+    # -- end --
+    return (
+        (g_e_0, g_e_1, g_e_2, g_e_3),
+    )
+
+
+def _drift(
+    g_e: Array,
+) -> Array:
+    """Square of the distance from the group."""
+    # -- drift --
+    g_e_0, g_e_1, g_e_2, g_e_3 = g_e[0], g_e[1], g_e[2], g_e[3]
+    # off: what vanishes on the group, and only there [1]
+    off_0 = g_e_0*g_e_0 - 1.0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # drift: square of the distance from the group [1]
+    drift = off_0*off_0
+    # -- end --
+    return (
+        (drift,),
     )

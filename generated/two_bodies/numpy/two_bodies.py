@@ -1,5 +1,296 @@
-"""two_bodies: gsmc on SE3 x SO3, law log (the logarithm and the rotation vector), double precision,
-batched.
+"""two_bodies: gsmc on SE3 x SO3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to
+(g_r, nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 45, 'unit': 'kg m^2,
+kg m, kg', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False, 'holder':
+'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_2', 2], ['inertia_4', 4],
+['inertia_9', 9], ['inertia_11', 11], ['inertia_17', 17], ['inertia_24', 24], ['inertia_30', 30],
+['inertia_35', 35], ['inertia_39', 39], ['inertia_42', 42], ['inertia_44', 44]], 'argument':
+'inertia', 'shape': (45,)}, {'name': 'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate',
+'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain',
+0]], 'argument': 'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
+'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s', 'entries':
+[['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size': 9, 'unit': 'rad/s,
+m/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False, 'holder': 'state', 'member': 'nu',
+'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2], ['nu_3', 3], ['nu_4', 4], ['nu_5', 5], ['nu_6',
+6], ['nu_7', 7], ['nu_8', 8]], 'argument': 'nu', 'shape': (9,)}, {'name': 'nu_r', 'size': 9, 'unit':
+'rad/s, m/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar': False,
+'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2],
+['nu_r_3', 3], ['nu_r_4', 4], ['nu_r_5', 5], ['nu_r_6', 6], ['nu_r_7', 7], ['nu_r_8', 8]],
+'argument': 'nu_r', 'shape': (9,)}, {'name': 'nu_r_dot', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc':
+'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot', 'entries':
+[['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2], ['nu_r_dot_3', 3], ['nu_r_dot_4', 4],
+['nu_r_dot_5', 5], ['nu_r_dot_6', 6], ['nu_r_dot_7', 7], ['nu_r_dot_8', 8]], 'argument': 'nu_r_dot',
+'shape': (9,)}, {'name': 'g_e', 'size': 25, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq.
+(velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1',
+1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8',
+8], ['g_e_9', 9], ['g_e_10', 10], ['g_e_11', 11], ['g_e_16', 16], ['g_e_17', 17], ['g_e_18', 18],
+['g_e_19', 19], ['g_e_20', 20], ['g_e_21', 21], ['g_e_22', 22], ['g_e_23', 23], ['g_e_24', 24]],
+'argument': 'g_e', 'shape': (25,)}], 'steps': [{'name': 'eta_arm_0_a', 'size': 3, 'unit': 'm/s',
+'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['eta_arm_0_a_0', 'eta_arm_0_a_1', 'eta_arm_0_a_2'], 'lines': [['eta_arm_0_a_0', 'nu_r_3 +
+g_e_11*nu_r_1 - g_e_7*nu_r_2'], ['eta_arm_0_a_1', 'nu_r_4 + g_e_3*nu_r_2 - g_e_11*nu_r_0'],
+['eta_arm_0_a_2', 'nu_r_5 + g_e_7*nu_r_0 - g_e_3*nu_r_1']], 'cases': []}, {'name': 'eta', 'size': 9,
+'unit': 'rad/s, m/s', 'doc': 'reference velocity in the body frame', 'source': 'eq. (velErr)',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2', 'eta_3',
+'eta_4', 'eta_5', 'eta_6', 'eta_7', 'eta_8'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_4*nu_r_1 +
+g_e_8*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 + g_e_5*nu_r_1 + g_e_9*nu_r_2'], ['eta_2', 'g_e_10*nu_r_2 +
+g_e_2*nu_r_0 + g_e_6*nu_r_1'], ['eta_3', 'eta_arm_0_a_0*g_e_0 + eta_arm_0_a_1*g_e_4 +
+eta_arm_0_a_2*g_e_8'], ['eta_4', 'eta_arm_0_a_0*g_e_1 + eta_arm_0_a_1*g_e_5 + eta_arm_0_a_2*g_e_9'],
+['eta_5', 'eta_arm_0_a_0*g_e_2 + eta_arm_0_a_1*g_e_6 + eta_arm_0_a_2*g_e_10'], ['eta_6',
+'g_e_16*nu_r_6 + g_e_19*nu_r_7 + g_e_22*nu_r_8'], ['eta_7', 'g_e_17*nu_r_6 + g_e_20*nu_r_7 +
+g_e_23*nu_r_8'], ['eta_8', 'g_e_18*nu_r_6 + g_e_21*nu_r_7 + g_e_24*nu_r_8']], 'cases': []}, {'name':
+'nu_e', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'velocity error', 'source': 'eq. (velErr)',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2', 'nu_e_3',
+'nu_e_4', 'nu_e_5', 'nu_e_6', 'nu_e_7', 'nu_e_8'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
+'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2'], ['nu_e_3', 'nu_3 - eta_3'], ['nu_e_4', 'nu_4 - eta_4'],
+['nu_e_5', 'nu_5 - eta_5'], ['nu_e_6', 'nu_6 - eta_6'], ['nu_e_7', 'nu_7 - eta_7'], ['nu_e_8', 'nu_8
+- eta_8']], 'cases': []}, {'name': 'eta_dot_arm_0_a', 'size': 3, 'unit': 'm/s', 'doc': 'velocity at
+p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_arm_0_a_0',
+'eta_dot_arm_0_a_1', 'eta_dot_arm_0_a_2'], 'lines': [['eta_dot_arm_0_a_0', 'nu_r_dot_3 +
+g_e_11*nu_r_dot_1 - g_e_7*nu_r_dot_2'], ['eta_dot_arm_0_a_1', 'nu_r_dot_4 + g_e_3*nu_r_dot_2 -
+g_e_11*nu_r_dot_0'], ['eta_dot_arm_0_a_2', 'nu_r_dot_5 + g_e_7*nu_r_dot_0 - g_e_3*nu_r_dot_1']],
+'cases': []}, {'name': 'eta_dot', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc': 'exact rate of eta',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0', 'eta_dot_1',
+'eta_dot_2', 'eta_dot_3', 'eta_dot_4', 'eta_dot_5', 'eta_dot_6', 'eta_dot_7', 'eta_dot_8'], 'lines':
+[['eta_dot_0', 'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_8*nu_r_dot_2 -
+eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_9*nu_r_dot_2
+- eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_10*nu_r_dot_2 + g_e_2*nu_r_dot_0 +
+g_e_6*nu_r_dot_1 - eta_1*nu_e_0'], ['eta_dot_3', 'eta_1*nu_e_5 + eta_4*nu_e_2 +
+eta_dot_arm_0_a_0*g_e_0 + eta_dot_arm_0_a_1*g_e_4 + eta_dot_arm_0_a_2*g_e_8 - eta_2*nu_e_4 -
+eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 + eta_5*nu_e_0 + eta_dot_arm_0_a_0*g_e_1 +
+eta_dot_arm_0_a_1*g_e_5 + eta_dot_arm_0_a_2*g_e_9 - eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5',
+'eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_a_0*g_e_2 + eta_dot_arm_0_a_1*g_e_6 +
+eta_dot_arm_0_a_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0'], ['eta_dot_6', 'eta_7*nu_e_8 +
+g_e_16*nu_r_dot_6 + g_e_19*nu_r_dot_7 + g_e_22*nu_r_dot_8 - eta_8*nu_e_7'], ['eta_dot_7',
+'eta_8*nu_e_6 + g_e_17*nu_r_dot_6 + g_e_20*nu_r_dot_7 + g_e_23*nu_r_dot_8 - eta_6*nu_e_8'],
+['eta_dot_8', 'eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 -
+eta_7*nu_e_6']], 'cases': []}, {'name': 'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w),
+by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['B_a_0', 'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5', 'B_a_6', 'B_a_7',
+'B_a_8', 'B_a_9'], 'lines': [['B_a_0', '1.0 + g_e_0 - g_e_10 - g_e_5'], ['B_a_1', 'g_e_1 + g_e_4'],
+['B_a_2', 'g_e_2 + g_e_8'], ['B_a_3', 'g_e_9 - g_e_6'], ['B_a_4', '1.0 + g_e_5 - g_e_0 - g_e_10'],
+['B_a_5', 'g_e_6 + g_e_9'], ['B_a_6', 'g_e_2 - g_e_8'], ['B_a_7', '1.0 + g_e_10 - g_e_0 - g_e_5'],
+['B_a_8', 'g_e_4 - g_e_1'], ['B_a_9', '1.0 + g_e_0 + g_e_10 + g_e_5']], 'cases': []}, {'name':
+'column_a', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_a_0', 'column_a_1', 'column_a_2',
+'column_a_3'], 'lines': [], 'cases': [{'condition': 'B_a_9.real >= 1.0', 'lines': [['column_a_0',
+'B_a_3'], ['column_a_1', 'B_a_6'], ['column_a_2', 'B_a_8'], ['column_a_3', 'B_a_9']]}, {'condition':
+'(B_a_0.real >= B_a_4.real) & (B_a_0.real >= B_a_7.real)', 'lines': [['column_a_0', 'B_a_0'],
+['column_a_1', 'B_a_1'], ['column_a_2', 'B_a_2'], ['column_a_3', 'B_a_3']]}, {'condition':
+'B_a_4.real >= B_a_7.real', 'lines': [['column_a_0', 'B_a_1'], ['column_a_1', 'B_a_4'],
+['column_a_2', 'B_a_5'], ['column_a_3', 'B_a_6']]}, {'condition': '', 'lines': [['column_a_0',
+'B_a_2'], ['column_a_1', 'B_a_5'], ['column_a_2', 'B_a_7'], ['column_a_3', 'B_a_8']]}]}, {'name':
+'power_a', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_a_0', 'power_a_1', 'power_a_2',
+'power_a_3'], 'lines': [['power_a_0', 'B_a_0*column_a_0 + B_a_1*column_a_1 + B_a_2*column_a_2 +
+B_a_3*column_a_3'], ['power_a_1', 'B_a_1*column_a_0 + B_a_4*column_a_1 + B_a_5*column_a_2 +
+B_a_6*column_a_3'], ['power_a_2', 'B_a_2*column_a_0 + B_a_5*column_a_1 + B_a_7*column_a_2 +
+B_a_8*column_a_3'], ['power_a_3', 'B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
+B_a_9*column_a_3']], 'cases': []}, {'name': 'norm_square_a', 'size': 1, 'unit': '1', 'doc': 'squared
+length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square_a'],
+'lines': [['norm_square_a', 'power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2 +
+power_a_3*power_a_3']], 'cases': []}, {'name': 'norm_bounded_a', 'size': 1, 'unit': '1', 'doc': 'the
+same: less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_bounded_a'], 'lines': [], 'cases': [{'condition': 'norm_square_a.real < 49.0', 'lines':
+[['norm_bounded_a', '49.0']]}, {'condition': '', 'lines': [['norm_bounded_a', 'norm_square_a']]}]},
+{'name': 'norm_a', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm_a'], 'lines': [['norm_a', 'np.sqrt(norm_bounded_a)']],
+'cases': []}, {'name': 'scale_a', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the
+shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['scale_a'], 'lines': [], 'cases': [{'condition': 'power_a_3.real < 0.0', 'lines': [['scale_a',
+'-1.0/norm_a']]}, {'condition': '', 'lines': [['scale_a', '1.0/norm_a']]}]}, {'name': 'cosine_a',
+'size': 1, 'unit': '1', 'doc': 'cos of half the error angle, rounded', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': '', 'names': ['cosine_a'], 'lines': [['cosine_a',
+'power_a_3*scale_a']], 'cases': []}, {'name': 'w_a', 'size': 1, 'unit': '1', 'doc': 'cos of half the
+error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w_a'],
+'lines': [], 'cases': [{'condition': 'cosine_a.real > 1.0', 'lines': [['w_a', '1.0']]},
+{'condition': '', 'lines': [['w_a', 'cosine_a']]}]}, {'name': 'v_a', 'size': 3, 'unit': '1', 'doc':
+'sin of half the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['v_a_0', 'v_a_1', 'v_a_2'], 'lines': [['v_a_0', 'power_a_0*scale_a'],
+['v_a_1', 'power_a_1*scale_a'], ['v_a_2', 'power_a_2*scale_a']], 'cases': []}, {'name': 'k_a',
+'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['k_a'], 'lines': [['k_a', '_k(w_a)']], 'cases': []}, {'name':
+'h_a', 'size': 1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['h_a'], 'lines': [['h_a', '_h(w_a)']], 'cases': []}, {'name': 'phi_a',
+'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'], 'lines': [['phi_a_0',
+'2.0*k_a*v_a_0'], ['phi_a_1', '2.0*k_a*v_a_1'], ['phi_a_2', '2.0*k_a*v_a_2']], 'cases': []},
+{'name': 'half_a', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['half_a'], 'lines': [['half_a', '0.5/k_a']], 'cases': []},
+{'name': 'swing_p_a', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['swing_p_a_0', 'swing_p_a_1', 'swing_p_a_2'], 'lines':
+[['swing_p_a_0', 'g_e_11*v_a_1 - g_e_7*v_a_2'], ['swing_p_a_1', 'g_e_3*v_a_2 - g_e_11*v_a_0'],
+['swing_p_a_2', 'g_e_7*v_a_0 - g_e_3*v_a_1']], 'cases': []}, {'name': 'sway_p_a', 'size': 3, 'unit':
+'m', 'doc': 'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['sway_p_a_0', 'sway_p_a_1', 'sway_p_a_2'], 'lines': [['sway_p_a_0', 'swing_p_a_2*v_a_1 -
+swing_p_a_1*v_a_2'], ['sway_p_a_1', 'swing_p_a_0*v_a_2 - swing_p_a_2*v_a_0'], ['sway_p_a_2',
+'swing_p_a_1*v_a_0 - swing_p_a_0*v_a_1']], 'cases': []}, {'name': 'rho_p_a', 'size': 3, 'unit': 'm',
+'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['rho_p_a_0', 'rho_p_a_1', 'rho_p_a_2'], 'lines': [['rho_p_a_0', 'g_e_3 + h_a*sway_p_a_0 -
+k_a*swing_p_a_0'], ['rho_p_a_1', 'g_e_7 + h_a*sway_p_a_1 - k_a*swing_p_a_1'], ['rho_p_a_2', 'g_e_11
++ h_a*sway_p_a_2 - k_a*swing_p_a_2']], 'cases': []}, {'name': 'y_p_a', 'size': 3, 'unit': 'm',
+'doc': 'rho/(2 k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['y_p_a_0', 'y_p_a_1', 'y_p_a_2'], 'lines': [['y_p_a_0', 'half_a*rho_p_a_0'], ['y_p_a_1',
+'half_a*rho_p_a_1'], ['y_p_a_2', 'half_a*rho_p_a_2']], 'cases': []}, {'name': 'B_b', 'size': 10,
+'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and
+Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_b_0', 'B_b_1', 'B_b_2',
+'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7', 'B_b_8', 'B_b_9'], 'lines': [['B_b_0', '1.0 + g_e_16 -
+g_e_20 - g_e_24'], ['B_b_1', 'g_e_17 + g_e_19'], ['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 -
+g_e_21'], ['B_b_4', '1.0 + g_e_20 - g_e_16 - g_e_24'], ['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6',
+'g_e_18 - g_e_22'], ['B_b_7', '1.0 + g_e_24 - g_e_16 - g_e_20'], ['B_b_8', 'g_e_19 - g_e_17'],
+['B_b_9', '1.0 + g_e_16 + g_e_20 + g_e_24']], 'cases': []}, {'name': 'column_b', 'size': 4, 'unit':
+'1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['column_b_0', 'column_b_1', 'column_b_2', 'column_b_3'], 'lines': [],
+'cases': [{'condition': 'B_b_9.real >= 1.0', 'lines': [['column_b_0', 'B_b_3'], ['column_b_1',
+'B_b_6'], ['column_b_2', 'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition': '(B_b_0.real >=
+B_b_4.real) & (B_b_0.real >= B_b_7.real)', 'lines': [['column_b_0', 'B_b_0'], ['column_b_1',
+'B_b_1'], ['column_b_2', 'B_b_2'], ['column_b_3', 'B_b_3']]}, {'condition': 'B_b_4.real >=
+B_b_7.real', 'lines': [['column_b_0', 'B_b_1'], ['column_b_1', 'B_b_4'], ['column_b_2', 'B_b_5'],
+['column_b_3', 'B_b_6']]}, {'condition': '', 'lines': [['column_b_0', 'B_b_2'], ['column_b_1',
+'B_b_5'], ['column_b_2', 'B_b_7'], ['column_b_3', 'B_b_8']]}]}, {'name': 'power_b', 'size': 4,
+'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['power_b_0', 'power_b_1', 'power_b_2', 'power_b_3'], 'lines':
+[['power_b_0', 'B_b_0*column_b_0 + B_b_1*column_b_1 + B_b_2*column_b_2 + B_b_3*column_b_3'],
+['power_b_1', 'B_b_1*column_b_0 + B_b_4*column_b_1 + B_b_5*column_b_2 + B_b_6*column_b_3'],
+['power_b_2', 'B_b_2*column_b_0 + B_b_5*column_b_1 + B_b_7*column_b_2 + B_b_8*column_b_3'],
+['power_b_3', 'B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 + B_b_9*column_b_3']],
+'cases': []}, {'name': 'norm_square_b', 'size': 1, 'unit': '1', 'doc': 'squared length', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square_b'], 'lines':
+[['norm_square_b', 'power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2 +
+power_b_3*power_b_3']], 'cases': []}, {'name': 'norm_bounded_b', 'size': 1, 'unit': '1', 'doc': 'the
+same: less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['norm_bounded_b'], 'lines': [], 'cases': [{'condition': 'norm_square_b.real < 49.0', 'lines':
+[['norm_bounded_b', '49.0']]}, {'condition': '', 'lines': [['norm_bounded_b', 'norm_square_b']]}]},
+{'name': 'norm_b', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['norm_b'], 'lines': [['norm_b', 'np.sqrt(norm_bounded_b)']],
+'cases': []}, {'name': 'scale_b', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the
+shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['scale_b'], 'lines': [], 'cases': [{'condition': 'power_b_3.real < 0.0', 'lines': [['scale_b',
+'-1.0/norm_b']]}, {'condition': '', 'lines': [['scale_b', '1.0/norm_b']]}]}, {'name': 'w_b', 'size':
+1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['w_b'], 'lines': [['w_b', 'power_b_3*scale_b']], 'cases': []}, {'name':
+'v_b', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_b_0', 'v_b_1', 'v_b_2'], 'lines':
+[['v_b_0', 'power_b_0*scale_b'], ['v_b_1', 'power_b_1*scale_b'], ['v_b_2', 'power_b_2*scale_b']],
+'cases': []}, {'name': 'k_b', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_b'], 'lines': [['k_b', '_k(w_b)']],
+'cases': []}, {'name': 'sine_square_b', 'size': 1, 'unit': '1', 'doc': '1 - w^2, below zero by an
+ulp at most', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['sine_square_b'], 'lines': [['sine_square_b', '(1.0 + w_b)*(1.0 - w_b)']], 'cases': []}, {'name':
+'h_b', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['h_b'], 'lines': [['h_b', '(1.0 - k_b*w_b)/(1.0e-17 +
+np.where(sine_square_b.real < 0.0, -sine_square_b, sine_square_b))']], 'cases': []}, {'name':
+'clearance_0', 'size': 1, 'unit': '1', 'doc': 'the smaller clearance', 'source': '', 'is_scalar':
+True, 'holder': '', 'member': '', 'names': ['clearance_0'], 'lines': [], 'cases': [{'condition':
+'w_a.real <= w_b.real', 'lines': [['clearance_0', 'w_a']]}, {'condition': '', 'lines':
+[['clearance_0', 'w_b']]}]}, {'name': 'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law,
+the logarithm and the rotation vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['nu_u_6', 'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6', '2.0*k_b*v_b_0'],
+['nu_u_7', '2.0*k_b*v_b_1'], ['nu_u_8', '2.0*k_b*v_b_2']], 'cases': []}, {'name': 'turn_a', 'size':
+6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['turn_a_0', 'turn_a_1', 'turn_a_2', 'turn_a_3', 'turn_a_4', 'turn_a_5'],
+'lines': [['turn_a_0', 'nu_e_2*v_a_1 - nu_e_1*v_a_2'], ['turn_a_1', 'nu_e_0*v_a_2 - nu_e_2*v_a_0'],
+['turn_a_2', 'nu_e_1*v_a_0 - nu_e_0*v_a_1'], ['turn_a_3', 'nu_e_2*y_p_a_1 + nu_e_5*v_a_1 -
+nu_e_1*y_p_a_2 - nu_e_4*v_a_2'], ['turn_a_4', 'nu_e_0*y_p_a_2 + nu_e_3*v_a_2 - nu_e_2*y_p_a_0 -
+nu_e_5*v_a_0'], ['turn_a_5', 'nu_e_1*y_p_a_0 + nu_e_4*v_a_0 - nu_e_0*y_p_a_1 - nu_e_3*v_a_1']],
+'cases': []}, {'name': 'bend_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_a_0', 'bend_a_1', 'bend_a_2',
+'bend_a_3', 'bend_a_4', 'bend_a_5'], 'lines': [['bend_a_0', 'turn_a_2*v_a_1 - turn_a_1*v_a_2'],
+['bend_a_1', 'turn_a_0*v_a_2 - turn_a_2*v_a_0'], ['bend_a_2', 'turn_a_1*v_a_0 - turn_a_0*v_a_1'],
+['bend_a_3', 'turn_a_2*y_p_a_1 + turn_a_5*v_a_1 - turn_a_1*y_p_a_2 - turn_a_4*v_a_2'], ['bend_a_4',
+'turn_a_0*y_p_a_2 + turn_a_3*v_a_2 - turn_a_2*y_p_a_0 - turn_a_5*v_a_0'], ['bend_a_5',
+'turn_a_1*y_p_a_0 + turn_a_4*v_a_0 - turn_a_0*y_p_a_1 - turn_a_3*v_a_1']], 'cases': []}, {'name':
+'m_a', 'size': 1, 'unit': '1', 'doc': '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['m_a'], 'lines': [['m_a', '_m(w_a)']], 'cases': []}, {'name': 'along_p_a',
+'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['along_p_a'], 'lines': [['along_p_a', '-2.0*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 +
+v_a_2*y_p_a_2)']], 'cases': []}, {'name': 'tail_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 +
+s^2) Y^2 nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_a_3',
+'tail_a_4', 'tail_a_5'], 'lines': [['tail_a_3', 'along_p_a*bend_a_0'], ['tail_a_4',
+'along_p_a*bend_a_1'], ['tail_a_5', 'along_p_a*bend_a_2']], 'cases': []}, {'name': 'twofold_a',
+'size': 1, 'unit': '1', 'doc': 'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True,
+'holder': '', 'member': '', 'names': ['twofold_a'], 'lines': [['twofold_a', 'h_a*h_a -
+0.5*k_a*m_a']], 'cases': []}, {'name': 'turn_b', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1',
+'turn_b_2'], 'lines': [['turn_b_0', 'nu_e_8*v_b_1 - nu_e_7*v_b_2'], ['turn_b_1', 'nu_e_6*v_b_2 -
+nu_e_8*v_b_0'], ['turn_b_2', 'nu_e_7*v_b_0 - nu_e_6*v_b_1']], 'cases': []}, {'name': 'bend_b',
+'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['bend_b_0', 'bend_b_1', 'bend_b_2'], 'lines': [['bend_b_0', 'turn_b_2*v_b_1
+- turn_b_1*v_b_2'], ['bend_b_1', 'turn_b_0*v_b_2 - turn_b_2*v_b_0'], ['bend_b_2', 'turn_b_1*v_b_0 -
+turn_b_0*v_b_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'exact
+rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0',
+'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7',
+'nu_u_dot_8'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_a_0*h_a + k_a*turn_a_0'], ['nu_u_dot_1',
+'nu_e_1 + bend_a_1*h_a + k_a*turn_a_1'], ['nu_u_dot_2', 'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'],
+['nu_u_dot_3', 'nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4
++ bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a +
+k_a*turn_a_5 + tail_a_5*twofold_a'], ['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_b + k_b*turn_b_0'],
+['nu_u_dot_7', 'nu_e_7 + bend_b_1*h_b + k_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 + bend_b_2*h_b +
+k_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda
+nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1',
+'drive_2', 'drive_3', 'drive_4', 'drive_5', 'drive_6', 'drive_7', 'drive_8'], 'lines': [['drive_0',
+'phi_a_0*rate_gain'], ['drive_1', 'phi_a_1*rate_gain'], ['drive_2', 'phi_a_2*rate_gain'],
+['drive_3', 'rate_gain*rho_p_a_0'], ['drive_4', 'rate_gain*rho_p_a_1'], ['drive_5',
+'rate_gain*rho_p_a_2'], ['drive_6', 'nu_u_6*rate_gain'], ['drive_7', 'nu_u_7*rate_gain'],
+['drive_8', 'nu_u_8*rate_gain']], 'cases': []}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s',
+'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member':
+'', 'names': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5', 's_6', 's_7', 's_8'], 'lines': [['s_0',
+'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2'], ['s_3', 'drive_3 +
+nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 + nu_e_5'], ['s_6', 'drive_6 + nu_e_6'],
+['s_7', 'drive_7 + nu_e_7'], ['s_8', 'drive_8 + nu_e_8']], 'cases': []}, {'name': 'wanted', 'size':
+9, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2', 'wanted_3', 'wanted_4',
+'wanted_5', 'wanted_6', 'wanted_7', 'wanted_8'], 'lines': [['wanted_0', 'eta_dot_0 -
+nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain -
+reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2'], ['wanted_3',
+'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'], ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain
+- reach_gain*s_4'], ['wanted_5', 'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5'], ['wanted_6',
+'eta_dot_6 - nu_u_dot_6*rate_gain - reach_gain*s_6'], ['wanted_7', 'eta_dot_7 - nu_u_dot_7*rate_gain
+- reach_gain*s_7'], ['wanted_8', 'eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8']], 'cases':
+[]}, {'name': 'turning', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
+'turning_3', 'turning_4', 'turning_5', 'turning_6', 'turning_7', 'turning_8'], 'lines':
+[['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 -
+eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4 - eta_4'], ['turning_5', 'drive_5
+- eta_5'], ['turning_6', 'drive_6 - eta_6'], ['turning_7', 'drive_7 - eta_7'], ['turning_8',
+'drive_8 - eta_8']], 'cases': []}, {'name': 'momentum', 'size': 9, 'unit': 'N m s, N s', 'doc': 'I
+nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
+'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4', 'momentum_5', 'momentum_6', 'momentum_7',
+'momentum_8'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'],
+['momentum_1', 'inertia_11*nu_3 + inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 +
+inertia_2*nu_0'], ['momentum_3', 'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4',
+'inertia_30*nu_4 + inertia_4*nu_0'], ['momentum_5', 'inertia_35*nu_5'], ['momentum_6',
+'inertia_39*nu_6'], ['momentum_7', 'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']], 'cases':
+[]}, {'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq.
+(TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1',
+'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7', 'force_8'], 'lines': [['force_0',
+'inertia_0*wanted_0 + inertia_2*wanted_2 + inertia_4*wanted_4 + momentum_1*turning_2 +
+momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'], ['force_1',
+'inertia_11*wanted_3 + inertia_9*wanted_1 + momentum_2*turning_0 + momentum_5*turning_3 -
+momentum_0*turning_2 - momentum_3*turning_5'], ['force_2', 'inertia_17*wanted_2 + inertia_2*wanted_0
++ momentum_0*turning_1 + momentum_3*turning_4 - momentum_1*turning_0 - momentum_4*turning_3'],
+['force_3', 'inertia_11*wanted_1 + inertia_24*wanted_3 + momentum_4*turning_2 -
+momentum_5*turning_1'], ['force_4', 'inertia_30*wanted_4 + inertia_4*wanted_0 + momentum_5*turning_0
+- momentum_3*turning_2'], ['force_5', 'inertia_35*wanted_5 + momentum_3*turning_1 -
+momentum_4*turning_0'], ['force_6', 'inertia_39*wanted_6 + momentum_7*turning_8 -
+momentum_8*turning_7'], ['force_7', 'inertia_42*wanted_7 + momentum_8*turning_6 -
+momentum_6*turning_8'], ['force_8', 'inertia_44*wanted_8 + momentum_6*turning_7 -
+momentum_7*turning_6']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 9, 'unit': 'N m, N',
+'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force',
+'entries': ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7',
+'force_8']}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': '',
+'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2', 's_3',
+'s_4', 's_5', 's_6', 's_7', 's_8']}, {'name': 'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic
+law', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries':
+['phi_a_0', 'phi_a_1', 'phi_a_2', 'rho_p_a_0', 'rho_p_a_1', 'rho_p_a_2', 'nu_u_6', 'nu_u_7',
+'nu_u_8']}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source':
+'', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0',
+'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7',
+'nu_u_dot_8']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of
+the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
+['clearance_0']}], 'operations': 625, 'temporaries': 198, 'symbol': 'tracking', 'is_public': False,
+'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
+'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes': ['command',
+'clearance']}, double precision, batched.
 
 Generated by derive from the vehicle file two_bodies.toml; regenerate instead of editing.
 Configuration: matrix of 4 rows, row by row; then rotation matrix, row by row.
@@ -14,29 +305,42 @@ from typing import Any, NamedTuple
 import numpy as np
 
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
-MAX_DRIFT = 1.0e-6  # largest residual of a configuration on the group
+MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
+MAX_REACH = 4.0e6  # of any other entry of the error
+MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
 REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
-MAX_PARAM = 1.0e9  # largest magnitude of an inertia entry or a gain
+MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
+MIN_GAIN = 1.0e-9  # least gain
+MAX_RATE = 1.0e4  # largest gain in 1/s
 
 OK = 0  # the command is good
 SATURATED = 1  # a force limit was reached
 NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps
-NOT_ON_GROUP = 16  # a configuration is off the group by more than MAX_DRIFT
-OUT_OF_RANGE = 17  # above MAX_INPUT, or within REFUSED_CUT of a pole
+NOT_ON_GROUP = 16  # the error is off the group by more than max_drift
+OUT_OF_RANGE = 17  # beyond MAX_INPUT, or too near a pole of the law
 NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite
 BAD_PARAMS = 19  # found by check_params
 
+BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH,
+          MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY,
+          MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY,
+          MAX_ENTRY)  # of the error's entries
+FREE = np.array(BOUNDS) > MAX_ENTRY
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
 
 class Params(NamedTuple):
-    """Inertia, upper triangle row by row (..., 45), and gains, each (...)."""
+    """Inertia, upper triangle row by row (..., 45), and gains, each (...).
+
+    What `control` keeps to has the vehicle's values where it is left out.
+    """
 
     inertia: Array
     lambda_: Array
     k_s: Array
+    max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
 class Command(NamedTuple):
@@ -76,21 +380,24 @@ def control(
         _real("nu_r", nu_r, (9,)),
         _real("nu_r_dot", nu_r_dot, (9,)),
     ]
+    max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
-        batch = command[0].shape[:-1]
-        found = [
-            _judge(given[3], True),
-            _judge(given[4], False),
-            _judge(given[5], True),
-            _judge(given[6], False),
-            _judge(given[7], False),
-        ]
-        worst = np.maximum.reduce([np.broadcast_to(one, batch) for one in found])
-        finite = np.stack([np.isfinite(one).all(-1) for one in command]).all(0)
-        status = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
-        status = np.where(finite, status, NONFINITE_INPUT)
-        status = np.where(worst == OK, status, worst)
+        g_e = _batched(_error, [given[3], given[5]])[0]
+        good = (np.abs(g_e) <= BOUNDS).all(-1)
+        good = good & ((np.abs(given[3]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[4]) <= MAX_INPUT).all(-1)
+        good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
+        good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
+        good = good & (_batched(_drift, [g_e, given[3], given[5]])[0] <= max_drift * max_drift)[..., 0]
+        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
+        far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
+        refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
+        for rows in (given[3], given[4], given[5], given[6], given[7]):
+            refused = np.maximum(refused, _judge(rows))
+        status = np.where(good, np.maximum(status, near), refused)
     bad = (status >= 16)[..., None]
     return Command(*(np.where(bad, 0.0, one) for one in command), status)
 
@@ -112,8 +419,10 @@ def check_params(params: Params = DEFAULTS) -> Array:
         good = (np.abs(inertia) <= MAX_PARAM).all(-1) & (pivots > 0.0).all(-1)
         good = good & (inertia[..., [1, 3, 5, 6, 7, 8, 10, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22,
             23, 25, 26, 27, 28, 29, 31, 32, 33, 34, 36, 37, 38, 40, 41, 43]] == 0.0).all(-1)
-        for gain in gains:
-            good = good & ((gain > 0.0) & (gain <= MAX_PARAM))[..., 0]
+        good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
+        good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        drift = _real("max_drift", params.max_drift, ())
+        good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
 
 
@@ -223,13 +532,9 @@ def _batched(law: Any, given: list[Array]) -> list[Array]:
     return [output.reshape(*batch, output.shape[-1]) for output in outputs]
 
 
-def _judge(rows: Array, is_configuration: bool) -> Array:
-    """OK, NOT_ON_GROUP, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
+def _judge(rows: Array) -> Array:
+    """OK, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
     status = np.where((np.abs(rows) > MAX_INPUT).any(-1), OUT_OF_RANGE, OK)
-    if is_configuration:
-        residual = _batched(_residual, [rows])[0]
-        off = ~(np.abs(residual) <= MAX_DRIFT).all(-1)
-        status = np.where(off & (status == OK), NOT_ON_GROUP, status)
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
 
 
@@ -1090,46 +1395,6 @@ def _plant(
     )
 
 
-def _residual(
-    g: Array,
-) -> Array:
-    """Distance of stored numbers from the group."""
-    # -- residual --
-    (
-        g_0, g_1, g_2, g_4, g_5, g_6, g_8, g_9, g_10, g_12, g_13, g_14, g_15, g_16, g_17, g_18,
-        g_19, g_20, g_21, g_22, g_23, g_24,
-    ) = (
-        g[0], g[1], g[2], g[4], g[5], g[6], g[8], g[9], g[10], g[12], g[13], g[14], g[15], g[16],
-        g[17], g[18], g[19], g[20], g[21], g[22], g[23], g[24]
-    )
-    # off: deviation from the group [1]
-    off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8
-    off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9
-    off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6
-    off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9
-    off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6
-    off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6
-    off_6 = (
-        g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4 - g_2*g_5*g_8
-    )
-    off_10 = g_15 - 1.0
-    off_11 = g_16*g_16 - 1.0 + g_19*g_19 + g_22*g_22
-    off_12 = g_16*g_17 + g_19*g_20 + g_22*g_23
-    off_13 = g_16*g_18 + g_19*g_21 + g_22*g_24
-    off_14 = g_17*g_17 - 1.0 + g_20*g_20 + g_23*g_23
-    off_15 = g_17*g_18 + g_20*g_21 + g_23*g_24
-    off_16 = g_18*g_18 - 1.0 + g_21*g_21 + g_24*g_24
-    off_17 = (
-        g_16*g_20*g_24 - 1.0 + g_17*g_21*g_22 + g_18*g_19*g_23 - g_16*g_21*g_23 - g_17*g_19*g_24 -
-        g_18*g_20*g_22
-    )
-    # -- end --
-    return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6, g_12, g_13, g_14, off_10, off_11, off_12,
-         off_13, off_14, off_15, off_16, off_17),
-    )
-
-
 def _definiteness(
     inertia: Array,
 ) -> Array:
@@ -1142,21 +1407,21 @@ def _definiteness(
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
     lower_20 = inertia_2/divisor_0
     # lower_40: I = L D L^T, entry of L [1]
     lower_40 = inertia_4/divisor_0
-    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_1_if_0 = inertia_9.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, inertia_9, 1.0)
     # lower_31: I = L D L^T, entry of L [1]
     lower_31 = inertia_11/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_17 - inertia_0*lower_20*lower_20
-    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_2_if_0 = pivot_2.real > 0.0
     divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_42: I = L D L^T, entry of L [1]
@@ -1169,4 +1434,106 @@ def _definiteness(
     return (
         (inertia_0, inertia_9, pivot_2, pivot_3, pivot_4, inertia_35, inertia_39, inertia_42,
          inertia_44),
+    )
+
+
+def _error(
+    g: Array, g_r: Array,
+) -> Array:
+    """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
+    # -- tracking --
+    (
+        g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8, g_9, g_10, g_11, g_16, g_17, g_18, g_19, g_20,
+        g_21, g_22, g_23, g_24,
+    ) = (
+        g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11], g[16], g[17],
+        g[18], g[19], g[20], g[21], g[22], g[23], g[24]
+    )
+    (
+        g_r_0, g_r_1, g_r_2, g_r_3, g_r_4, g_r_5, g_r_6, g_r_7, g_r_8, g_r_9, g_r_10, g_r_11,
+        g_r_16, g_r_17, g_r_18, g_r_19, g_r_20, g_r_21, g_r_22, g_r_23, g_r_24,
+    ) = (
+        g_r[0], g_r[1], g_r[2], g_r[3], g_r[4], g_r[5], g_r[6], g_r[7], g_r[8], g_r[9], g_r[10],
+        g_r[11], g_r[16], g_r[17], g_r[18], g_r[19], g_r[20], g_r[21], g_r[22], g_r[23], g_r[24]
+    )
+    # gap_0_a: translation of g from g_r [m]
+    gap_0_a_0 = g_3 - g_r_3
+    gap_0_a_1 = g_7 - g_r_7
+    gap_0_a_2 = g_11 - g_r_11
+    # g_e: error, g_r^-1 g [1], eq. (velErr)
+    g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8
+    g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8
+    g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4
+    g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2
+    g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9
+    g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9
+    g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5
+    g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2
+    g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10
+    g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10
+    g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6
+    g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1
+    g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22
+    g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22
+    g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22
+    g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23
+    g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23
+    g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23
+    g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24
+    g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24
+    g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24
+    # -- end --
+    return (
+        (g_e_0, g_e_1, g_e_2, g_e_3, g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, 0.0,
+         0.0, 0.0, 1.0, g_e_16, g_e_17, g_e_18, g_e_19, g_e_20, g_e_21, g_e_22, g_e_23, g_e_24),
+    )
+
+
+def _drift(
+    g_e: Array, g: Array, g_r: Array,
+) -> Array:
+    """Square of the distance from the group."""
+    # -- drift --
+    (
+        g_e_0, g_e_1, g_e_2, g_e_4, g_e_5, g_e_6, g_e_8, g_e_9, g_e_10, g_e_16, g_e_17, g_e_18,
+        g_e_19, g_e_20, g_e_21, g_e_22, g_e_23, g_e_24,
+    ) = (
+        g_e[0], g_e[1], g_e[2], g_e[4], g_e[5], g_e[6], g_e[8], g_e[9], g_e[10], g_e[16], g_e[17],
+        g_e[18], g_e[19], g_e[20], g_e[21], g_e[22], g_e[23], g_e[24]
+    )
+    g_12, g_13, g_14, g_15 = g[12], g[13], g[14], g[15]
+    g_r_12, g_r_13, g_r_14, g_r_15 = g_r[12], g_r[13], g_r[14], g_r[15]
+    # off: what vanishes on the group, and only there [1]
+    off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8
+    off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9
+    off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6
+    off_3 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
+    off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6
+    off_5 = g_e_10*g_e_10 - 1.0 + g_e_2*g_e_2 + g_e_6*g_e_6
+    off_6 = (
+        g_e_0*g_e_10*g_e_5 - 1.0 + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 - g_e_0*g_e_6*g_e_9 -
+        g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8
+    )
+    off_7 = g_e_16*g_e_16 - 1.0 + g_e_19*g_e_19 + g_e_22*g_e_22
+    off_8 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23
+    off_9 = g_e_16*g_e_18 + g_e_19*g_e_21 + g_e_22*g_e_24
+    off_10 = g_e_17*g_e_17 - 1.0 + g_e_20*g_e_20 + g_e_23*g_e_23
+    off_11 = g_e_17*g_e_18 + g_e_20*g_e_21 + g_e_23*g_e_24
+    off_12 = g_e_18*g_e_18 - 1.0 + g_e_21*g_e_21 + g_e_24*g_e_24
+    off_13 = (
+        g_e_16*g_e_20*g_e_24 - 1.0 + g_e_17*g_e_21*g_e_22 + g_e_18*g_e_19*g_e_23 -
+        g_e_16*g_e_21*g_e_23 - g_e_17*g_e_19*g_e_24 - g_e_18*g_e_20*g_e_22
+    )
+    off_17 = g_15 - 1.0
+    off_21 = g_r_15 - 1.0
+    # drift: square of the distance from the group [1]
+    drift = (
+        g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 + g_r_14*g_r_14 +
+        off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_12*off_12 + off_13*off_13 +
+        off_17*off_17 + off_2*off_2 + off_21*off_21 + off_3*off_3 + off_4*off_4 + off_5*off_5 +
+        off_6*off_6 + off_7*off_7 + off_8*off_8 + off_9*off_9
+    )
+    # -- end --
+    return (
+        (drift,),
     )

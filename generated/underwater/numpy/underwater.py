@@ -1,4 +1,215 @@
-"""underwater: gsmc on SE3, law log (the logarithm), double precision, batched.
+"""underwater: gsmc on SE3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
+nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 21, 'unit': 'kg m^2, kg m,
+kg', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False, 'holder':
+'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2],
+['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5], ['inertia_6', 6], ['inertia_7', 7],
+['inertia_8', 8], ['inertia_9', 9], ['inertia_10', 10], ['inertia_11', 11], ['inertia_12', 12],
+['inertia_13', 13], ['inertia_14', 14], ['inertia_15', 15], ['inertia_16', 16], ['inertia_17', 17],
+['inertia_18', 18], ['inertia_19', 19], ['inertia_20', 20]], 'argument': 'inertia', 'shape': (21,)},
+{'name': 'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
+True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument': 'lambda_',
+'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc': 'reaching rate', 'source':
+'', 'is_scalar': True, 'holder': 'params', 'member': 'k_s', 'entries': [['reach_gain', 0]],
+'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'body
+velocity', 'source': '', 'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0',
+0], ['nu_1', 1], ['nu_2', 2], ['nu_3', 3], ['nu_4', 4], ['nu_5', 5]], 'argument': 'nu', 'shape':
+(6,)}, {'name': 'external', 'size': 6, 'unit': 'N m, N', 'doc': 'known external force', 'source':
+'', 'is_scalar': False, 'holder': 'state', 'member': 'external', 'entries': [['external_0', 0],
+['external_1', 1], ['external_2', 2], ['external_3', 3], ['external_4', 4], ['external_5', 5]],
+'argument': 'external', 'shape': (6,)}, {'name': 'nu_r', 'size': 6, 'unit': 'rad/s, m/s', 'doc':
+'reference velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference',
+'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2], ['nu_r_3', 3], ['nu_r_4',
+4], ['nu_r_5', 5]], 'argument': 'nu_r', 'shape': (6,)}, {'name': 'nu_r_dot', 'size': 6, 'unit':
+'rad/s^2, m/s^2', 'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference',
+'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2],
+['nu_r_dot_3', 3], ['nu_r_dot_4', 4], ['nu_r_dot_5', 5]], 'argument': 'nu_r_dot', 'shape': (6,)},
+{'name': 'g_e', 'size': 16, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)',
+'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2',
+2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8], ['g_e_9',
+9], ['g_e_10', 10], ['g_e_11', 11]], 'argument': 'g_e', 'shape': (16,)}], 'steps': [{'name':
+'eta_arm_0', 'size': 3, 'unit': 'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['eta_arm_0_0', 'eta_arm_0_1', 'eta_arm_0_2'], 'lines':
+[['eta_arm_0_0', 'nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2'], ['eta_arm_0_1', 'nu_r_4 + g_e_3*nu_r_2 -
+g_e_11*nu_r_0'], ['eta_arm_0_2', 'nu_r_5 + g_e_7*nu_r_0 - g_e_3*nu_r_1']], 'cases': []}, {'name':
+'eta', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'reference velocity in the body frame', 'source':
+'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2',
+'eta_3', 'eta_4', 'eta_5'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_4*nu_r_1 + g_e_8*nu_r_2'],
+['eta_1', 'g_e_1*nu_r_0 + g_e_5*nu_r_1 + g_e_9*nu_r_2'], ['eta_2', 'g_e_10*nu_r_2 + g_e_2*nu_r_0 +
+g_e_6*nu_r_1'], ['eta_3', 'eta_arm_0_0*g_e_0 + eta_arm_0_1*g_e_4 + eta_arm_0_2*g_e_8'], ['eta_4',
+'eta_arm_0_0*g_e_1 + eta_arm_0_1*g_e_5 + eta_arm_0_2*g_e_9'], ['eta_5', 'eta_arm_0_0*g_e_2 +
+eta_arm_0_1*g_e_6 + eta_arm_0_2*g_e_10']], 'cases': []}, {'name': 'nu_e', 'size': 6, 'unit': 'rad/s,
+m/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
+'', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2', 'nu_e_3', 'nu_e_4', 'nu_e_5'], 'lines': [['nu_e_0',
+'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2'], ['nu_e_3', 'nu_3 - eta_3'],
+['nu_e_4', 'nu_4 - eta_4'], ['nu_e_5', 'nu_5 - eta_5']], 'cases': []}, {'name': 'eta_dot_arm_0',
+'size': 3, 'unit': 'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['eta_dot_arm_0_0', 'eta_dot_arm_0_1', 'eta_dot_arm_0_2'], 'lines':
+[['eta_dot_arm_0_0', 'nu_r_dot_3 + g_e_11*nu_r_dot_1 - g_e_7*nu_r_dot_2'], ['eta_dot_arm_0_1',
+'nu_r_dot_4 + g_e_3*nu_r_dot_2 - g_e_11*nu_r_dot_0'], ['eta_dot_arm_0_2', 'nu_r_dot_5 +
+g_e_7*nu_r_dot_0 - g_e_3*nu_r_dot_1']], 'cases': []}, {'name': 'eta_dot', 'size': 6, 'unit':
+'rad/s^2, m/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder': '',
+'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2', 'eta_dot_3', 'eta_dot_4',
+'eta_dot_5'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_4*nu_r_dot_1 +
+g_e_8*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_5*nu_r_dot_1
++ g_e_9*nu_r_dot_2 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_10*nu_r_dot_2 +
+g_e_2*nu_r_dot_0 + g_e_6*nu_r_dot_1 - eta_1*nu_e_0'], ['eta_dot_3', 'eta_1*nu_e_5 + eta_4*nu_e_2 +
+eta_dot_arm_0_0*g_e_0 + eta_dot_arm_0_1*g_e_4 + eta_dot_arm_0_2*g_e_8 - eta_2*nu_e_4 -
+eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 + eta_5*nu_e_0 + eta_dot_arm_0_0*g_e_1 +
+eta_dot_arm_0_1*g_e_5 + eta_dot_arm_0_2*g_e_9 - eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5',
+'eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 +
+eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10,
+'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and
+Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3',
+'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0 + g_e_0 - g_e_10 - g_e_5'],
+['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', '1.0 + g_e_5 -
+g_e_0 - g_e_10'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', '1.0 + g_e_10 - g_e_0
+- g_e_5'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_10 + g_e_5']], 'cases': []},
+{'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
+'column_3'], 'lines': [], 'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'],
+['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >=
+B_4.real) & (B_0.real >= B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
+['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4.real >= B_7.real', 'lines':
+[['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition':
+'', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3',
+'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1',
+'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
+B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
+['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0
++ B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm_square', 'size': 1,
+'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['norm_square'], 'lines': [['norm_square', 'power_0*power_0 + power_1*power_1 +
+power_2*power_2 + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1',
+'doc': 'the same: less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square.real < 49.0', 'lines':
+[['norm_bounded', '49.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]},
+{'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True, 'holder':
+'', 'member': '', 'names': ['norm'], 'lines': [['norm', 'np.sqrt(norm_bounded)']], 'cases': []},
+{'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way
+round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines':
+[], 'cases': [{'condition': 'power_3.real < 0.0', 'lines': [['scale', '-1.0/norm']]}, {'condition':
+'', 'lines': [['scale', '1.0/norm']]}]}, {'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of
+half the error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['cosine'], 'lines': [['cosine', 'power_3*scale']], 'cases': []}, {'name': 'w', 'size': 1,
+'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
+'member': '', 'names': ['w'], 'lines': [], 'cases': [{'condition': 'cosine.real > 1.0', 'lines':
+[['w', '1.0']]}, {'condition': '', 'lines': [['w', 'cosine']]}]}, {'name': 'v', 'size': 3, 'unit':
+'1', 'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'],
+['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit':
+'1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+'names': ['k'], 'lines': [['k', '_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1',
+'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'],
+'lines': [['h', '_h(w)']], 'cases': []}, {'name': 'phi', 'size': 3, 'unit': 'rad', 'doc': 'rotation
+vector of the error', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['phi_0', 'phi_1', 'phi_2'], 'lines': [['phi_0', '2.0*k*v_0'], ['phi_1', '2.0*k*v_1'], ['phi_2',
+'2.0*k*v_2']], 'cases': []}, {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['half'], 'lines': [['half', '0.5/k']],
+'cases': []}, {'name': 'swing_p', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar':
+False, 'holder': '', 'member': '', 'names': ['swing_p_0', 'swing_p_1', 'swing_p_2'], 'lines':
+[['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'], ['swing_p_2',
+'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name': 'sway_p', 'size': 3, 'unit': 'm', 'doc': 'Y Y p',
+'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['sway_p_0', 'sway_p_1',
+'sway_p_2'], 'lines': [['sway_p_0', 'swing_p_2*v_1 - swing_p_1*v_2'], ['sway_p_1', 'swing_p_0*v_2 -
+swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0 - swing_p_0*v_1']], 'cases': []}, {'name': 'rho_p',
+'size': 3, 'unit': 'm', 'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder':
+'', 'member': '', 'names': ['rho_p_0', 'rho_p_1', 'rho_p_2'], 'lines': [['rho_p_0', 'g_e_3 +
+h*sway_p_0 - k*swing_p_0'], ['rho_p_1', 'g_e_7 + h*sway_p_1 - k*swing_p_1'], ['rho_p_2', 'g_e_11 +
+h*sway_p_2 - k*swing_p_2']], 'cases': []}, {'name': 'y_p', 'size': 3, 'unit': 'm', 'doc': 'rho/(2
+k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1',
+'y_p_2'], 'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1', 'half*rho_p_1'], ['y_p_2',
+'half*rho_p_2']], 'cases': []}, {'name': 'turn', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y
+= ad of y', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0',
+'turn_1', 'turn_2', 'turn_3', 'turn_4', 'turn_5'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'],
+['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'], ['turn_3',
+'nu_e_2*y_p_1 + nu_e_5*v_1 - nu_e_1*y_p_2 - nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 + nu_e_3*v_2 -
+nu_e_2*y_p_0 - nu_e_5*v_0'], ['turn_5', 'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 - nu_e_3*v_1']],
+'cases': []}, {'name': 'bend', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2', 'bend_3',
+'bend_4', 'bend_5'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 -
+turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1'], ['bend_3', 'turn_2*y_p_1 + turn_5*v_1 -
+turn_1*y_p_2 - turn_4*v_2'], ['bend_4', 'turn_0*y_p_2 + turn_3*v_2 - turn_2*y_p_0 - turn_5*v_0'],
+['bend_5', 'turn_1*y_p_0 + turn_4*v_0 - turn_0*y_p_1 - turn_3*v_1']], 'cases': []}, {'name': 'm',
+'size': 1, 'unit': '1', 'doc': '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+'', 'names': ['m'], 'lines': [['m', '_m(w)']], 'cases': []}, {'name': 'along_p', 'size': 1, 'unit':
+'m', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+['along_p'], 'lines': [['along_p', '-2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)']], 'cases': []},
+{'name': 'tail', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_3', 'tail_4', 'tail_5'], 'lines':
+[['tail_3', 'along_p*bend_0'], ['tail_4', 'along_p*bend_1'], ['tail_5', 'along_p*bend_2']], 'cases':
+[]}, {'name': 'twofold', 'size': 1, 'unit': '1', 'doc': 'h^2 - k m/2, of the double root', 'source':
+'', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['twofold'], 'lines': [['twofold', 'h*h
+- 0.5*k*m']], 'cases': []}, {'name': 'nu_u_dot', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'exact rate
+of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0',
+'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'], 'lines': [['nu_u_dot_0',
+'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2',
+'nu_e_2 + bend_2*h + k*turn_2'], ['nu_u_dot_3', 'nu_e_3 + bend_3*h + k*turn_3 + tail_3*twofold'],
+['nu_u_dot_4', 'nu_e_4 + bend_4*h + k*turn_4 + tail_4*twofold'], ['nu_u_dot_5', 'nu_e_5 + bend_5*h +
+k*turn_5 + tail_5*twofold']], 'cases': []}, {'name': 'drive', 'size': 6, 'unit': 'rad/s, m/s',
+'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5'], 'lines': [['drive_0',
+'phi_0*rate_gain'], ['drive_1', 'phi_1*rate_gain'], ['drive_2', 'phi_2*rate_gain'], ['drive_3',
+'rate_gain*rho_p_0'], ['drive_4', 'rate_gain*rho_p_1'], ['drive_5', 'rate_gain*rho_p_2']], 'cases':
+[]}, {'name': 's', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': 'eq.
+(SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2', 's_3',
+'s_4', 's_5'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2
++ nu_e_2'], ['s_3', 'drive_3 + nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 + nu_e_5']],
+'cases': []}, {'name': 'wanted', 'size': 6, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration asked
+for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0',
+'wanted_1', 'wanted_2', 'wanted_3', 'wanted_4', 'wanted_5'], 'lines': [['wanted_0', 'eta_dot_0 -
+nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain -
+reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2'], ['wanted_3',
+'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'], ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain
+- reach_gain*s_4'], ['wanted_5', 'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5']], 'cases':
+[]}, {'name': 'turning', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta', 'source': '',
+'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
+'turning_3', 'turning_4', 'turning_5'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1',
+'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'],
+['turning_4', 'drive_4 - eta_4'], ['turning_5', 'drive_5 - eta_5']], 'cases': []}, {'name':
+'momentum', 'size': 6, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3',
+'momentum_4', 'momentum_5'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 +
+inertia_2*nu_2 + inertia_3*nu_3 + inertia_4*nu_4 + inertia_5*nu_5'], ['momentum_1', 'inertia_1*nu_0
++ inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2 + inertia_8*nu_3 + inertia_9*nu_4'],
+['momentum_2', 'inertia_11*nu_2 + inertia_12*nu_3 + inertia_13*nu_4 + inertia_14*nu_5 +
+inertia_2*nu_0 + inertia_7*nu_1'], ['momentum_3', 'inertia_12*nu_2 + inertia_15*nu_3 +
+inertia_16*nu_4 + inertia_17*nu_5 + inertia_3*nu_0 + inertia_8*nu_1'], ['momentum_4',
+'inertia_13*nu_2 + inertia_16*nu_3 + inertia_18*nu_4 + inertia_19*nu_5 + inertia_4*nu_0 +
+inertia_9*nu_1'], ['momentum_5', 'inertia_10*nu_1 + inertia_14*nu_2 + inertia_17*nu_3 +
+inertia_19*nu_4 + inertia_20*nu_5 + inertia_5*nu_0']], 'cases': []}, {'name': 'force', 'size': 6,
+'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False,
+'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2', 'force_3', 'force_4',
+'force_5'], 'lines': [['force_0', 'inertia_0*wanted_0 - external_0 + inertia_1*wanted_1 +
+inertia_2*wanted_2 + inertia_3*wanted_3 + inertia_4*wanted_4 + inertia_5*wanted_5 +
+momentum_1*turning_2 + momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'],
+['force_1', 'inertia_1*wanted_0 - external_1 + inertia_10*wanted_5 + inertia_6*wanted_1 +
+inertia_7*wanted_2 + inertia_8*wanted_3 + inertia_9*wanted_4 + momentum_2*turning_0 +
+momentum_5*turning_3 - momentum_0*turning_2 - momentum_3*turning_5'], ['force_2',
+'inertia_11*wanted_2 - external_2 + inertia_12*wanted_3 + inertia_13*wanted_4 + inertia_14*wanted_5
++ inertia_2*wanted_0 + inertia_7*wanted_1 + momentum_0*turning_1 + momentum_3*turning_4 -
+momentum_1*turning_0 - momentum_4*turning_3'], ['force_3', 'inertia_12*wanted_2 - external_3 +
+inertia_15*wanted_3 + inertia_16*wanted_4 + inertia_17*wanted_5 + inertia_3*wanted_0 +
+inertia_8*wanted_1 + momentum_4*turning_2 - momentum_5*turning_1'], ['force_4', 'inertia_13*wanted_2
+- external_4 + inertia_16*wanted_3 + inertia_18*wanted_4 + inertia_19*wanted_5 + inertia_4*wanted_0
++ inertia_9*wanted_1 + momentum_5*turning_0 - momentum_3*turning_2'], ['force_5',
+'inertia_10*wanted_1 - external_5 + inertia_14*wanted_2 + inertia_17*wanted_3 + inertia_19*wanted_4
++ inertia_20*wanted_5 + inertia_5*wanted_0 + momentum_3*turning_1 - momentum_4*turning_0']],
+'cases': []}], 'outputs': [{'name': 'force', 'size': 6, 'unit': 'N m, N', 'doc': 'control force',
+'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries': ['force_0',
+'force_1', 'force_2', 'force_3', 'force_4', 'force_5']}, {'name': 's', 'size': 6, 'unit': 'rad/s,
+m/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
+'s', 'entries': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5']}, {'name': 'nu_u', 'size': 6, 'unit':
+'rad, m', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
+'nu_u', 'entries': ['phi_0', 'phi_1', 'phi_2', 'rho_p_0', 'rho_p_1', 'rho_p_2']}, {'name':
+'nu_u_dot', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source': '', 'is_scalar':
+False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
+'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5']}, {'name': 'clearance', 'size': 1, 'unit':
+'1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder': '',
+'member': 'clearance', 'entries': ['w']}], 'operations': 543, 'temporaries': 129, 'symbol':
+'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
+'external', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
+'public_writes': ['command', 'clearance']}, double precision, batched.
 
 Generated by derive from the vehicle file underwater.toml; regenerate instead of editing.
 Configuration: matrix of 4 rows, row by row.
@@ -13,29 +224,41 @@ from typing import Any, NamedTuple
 import numpy as np
 
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
-MAX_DRIFT = 1.0e-6  # largest residual of a configuration on the group
+MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
+MAX_REACH = 4.0e6  # of any other entry of the error
+MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
 REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
-MAX_PARAM = 1.0e9  # largest magnitude of an inertia entry or a gain
+MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
+MIN_GAIN = 1.0e-9  # least gain
+MAX_RATE = 1.0e4  # largest gain in 1/s
 
 OK = 0  # the command is good
 SATURATED = 1  # a force limit was reached
 NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps
-NOT_ON_GROUP = 16  # a configuration is off the group by more than MAX_DRIFT
-OUT_OF_RANGE = 17  # above MAX_INPUT, or within REFUSED_CUT of a pole
+NOT_ON_GROUP = 16  # the error is off the group by more than max_drift
+OUT_OF_RANGE = 17  # beyond MAX_INPUT, or too near a pole of the law
 NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite
 BAD_PARAMS = 19  # found by check_params
 
+BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH,
+          MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY,
+          MAX_ENTRY)  # of the error's entries
+FREE = np.array(BOUNDS) > MAX_ENTRY
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
 
 class Params(NamedTuple):
-    """Inertia, upper triangle row by row (..., 21), and gains, each (...)."""
+    """Inertia, upper triangle row by row (..., 21), and gains, each (...).
+
+    What `control` keeps to has the vehicle's values where it is left out.
+    """
 
     inertia: Array
     lambda_: Array
     k_s: Array
+    max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
 class Command(NamedTuple):
@@ -76,22 +299,25 @@ def control(
         _real("nu_r", nu_r, (6,)),
         _real("nu_r_dot", nu_r_dot, (6,)),
     ]
+    max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
-        batch = command[0].shape[:-1]
-        found = [
-            _judge(given[3], True),
-            _judge(given[4], False),
-            _judge(given[5], False),
-            _judge(given[6], True),
-            _judge(given[7], False),
-            _judge(given[8], False),
-        ]
-        worst = np.maximum.reduce([np.broadcast_to(one, batch) for one in found])
-        finite = np.stack([np.isfinite(one).all(-1) for one in command]).all(0)
-        status = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
-        status = np.where(finite, status, NONFINITE_INPUT)
-        status = np.where(worst == OK, status, worst)
+        g_e = _batched(_error, [given[3], given[6]])[0]
+        good = (np.abs(g_e) <= BOUNDS).all(-1)
+        good = good & ((np.abs(given[3]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[4]) <= MAX_INPUT).all(-1)
+        good = good & (np.abs(given[5]) <= MAX_INPUT).all(-1)
+        good = good & ((np.abs(given[6]) <= MAX_INPUT) | ~FREE).all(-1)
+        good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
+        good = good & (np.abs(given[8]) <= MAX_INPUT).all(-1)
+        good = good & (_batched(_drift, [g_e, given[3], given[6]])[0] <= max_drift * max_drift)[..., 0]
+        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
+        far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
+        refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
+        for rows in (given[3], given[4], given[5], given[6], given[7], given[8]):
+            refused = np.maximum(refused, _judge(rows))
+        status = np.where(good, np.maximum(status, near), refused)
     bad = (status >= 16)[..., None]
     return Command(*(np.where(bad, 0.0, one) for one in command), status)
 
@@ -111,8 +337,10 @@ def check_params(params: Params = DEFAULTS) -> Array:
     with np.errstate(all="ignore"):
         pivots = _batched(_definiteness, [inertia])[0]
         good = (np.abs(inertia) <= MAX_PARAM).all(-1) & (pivots > 0.0).all(-1)
-        for gain in gains:
-            good = good & ((gain > 0.0) & (gain <= MAX_PARAM))[..., 0]
+        good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
+        good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        drift = _real("max_drift", params.max_drift, ())
+        good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
 
 
@@ -228,13 +456,9 @@ def _batched(law: Any, given: list[Array]) -> list[Array]:
     return [output.reshape(*batch, output.shape[-1]) for output in outputs]
 
 
-def _judge(rows: Array, is_configuration: bool) -> Array:
-    """OK, NOT_ON_GROUP, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
+def _judge(rows: Array) -> Array:
+    """OK, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
     status = np.where((np.abs(rows) > MAX_INPUT).any(-1), OUT_OF_RANGE, OK)
-    if is_configuration:
-        residual = _batched(_residual, [rows])[0]
-        off = ~(np.abs(residual) <= MAX_DRIFT).all(-1)
-        status = np.where(off & (status == OK), NOT_ON_GROUP, status)
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
 
 
@@ -993,31 +1217,6 @@ def _plant(
     )
 
 
-def _residual(
-    g: Array,
-) -> Array:
-    """Distance of stored numbers from the group."""
-    # -- residual --
-    g_0, g_1, g_2, g_4, g_5, g_6, g_8, g_9, g_10, g_12, g_13, g_14, g_15 = (
-        g[0], g[1], g[2], g[4], g[5], g[6], g[8], g[9], g[10], g[12], g[13], g[14], g[15]
-    )
-    # off: deviation from the group [1]
-    off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8
-    off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9
-    off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6
-    off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9
-    off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6
-    off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6
-    off_6 = (
-        g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4 - g_2*g_5*g_8
-    )
-    off_10 = g_15 - 1.0
-    # -- end --
-    return (
-        (off_0, off_1, off_2, off_3, off_4, off_5, off_6, g_12, g_13, g_14, off_10),
-    )
-
-
 def _definiteness(
     inertia: Array,
 ) -> Array:
@@ -1032,7 +1231,7 @@ def _definiteness(
         inertia[7], inertia[8], inertia[9], inertia[10], inertia[11], inertia[12], inertia[13],
         inertia[14], inertia[15], inertia[16], inertia[17], inertia[18], inertia[19], inertia[20]
     )
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -1047,7 +1246,7 @@ def _definiteness(
     lower_50 = inertia_5/divisor_0
     # pivot_1: pivot of I [kg m^2, kg m, kg]
     pivot_1 = inertia_6 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
@@ -1060,7 +1259,7 @@ def _definiteness(
     lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21
-    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_2_if_0 = pivot_2.real > 0.0
     divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_32: I = L D L^T, entry of L [1]
@@ -1074,7 +1273,7 @@ def _definiteness(
         inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32
     )
-    # divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_3_if_0 = pivot_3.real > 0.0
     divisor_3 = np.where(divisor_3_if_0, pivot_3, 1.0)
     # lower_43: I = L D L^T, entry of L [1]
@@ -1092,7 +1291,7 @@ def _definiteness(
         inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43
     )
-    # divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_4_if_0 = pivot_4.real > 0.0
     divisor_4 = np.where(divisor_4_if_0, pivot_4, 1.0)
     # lower_54: I = L D L^T, entry of L [1]
@@ -1108,4 +1307,75 @@ def _definiteness(
     # -- end --
     return (
         (inertia_0, pivot_1, pivot_2, pivot_3, pivot_4, pivot_5),
+    )
+
+
+def _error(
+    g: Array, g_r: Array,
+) -> Array:
+    """Force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl)."""
+    # -- tracking --
+    g_0, g_1, g_2, g_3, g_4, g_5, g_6, g_7, g_8, g_9, g_10, g_11 = (
+        g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11]
+    )
+    g_r_0, g_r_1, g_r_2, g_r_3, g_r_4, g_r_5, g_r_6, g_r_7, g_r_8, g_r_9, g_r_10, g_r_11 = (
+        g_r[0], g_r[1], g_r[2], g_r[3], g_r[4], g_r[5], g_r[6], g_r[7], g_r[8], g_r[9], g_r[10],
+        g_r[11]
+    )
+    # gap_0: translation of g from g_r [m]
+    gap_0_0 = g_3 - g_r_3
+    gap_0_1 = g_7 - g_r_7
+    gap_0_2 = g_11 - g_r_11
+    # g_e: error, g_r^-1 g [1], eq. (velErr)
+    g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8
+    g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8
+    g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4
+    g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2
+    g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9
+    g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9
+    g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5
+    g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2
+    g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10
+    g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10
+    g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6
+    g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1
+    # -- end --
+    return (
+        (g_e_0, g_e_1, g_e_2, g_e_3, g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, 0.0,
+         0.0, 0.0, 1.0),
+    )
+
+
+def _drift(
+    g_e: Array, g: Array, g_r: Array,
+) -> Array:
+    """Square of the distance from the group."""
+    # -- drift --
+    g_e_0, g_e_1, g_e_2, g_e_4, g_e_5, g_e_6, g_e_8, g_e_9, g_e_10 = (
+        g_e[0], g_e[1], g_e[2], g_e[4], g_e[5], g_e[6], g_e[8], g_e[9], g_e[10]
+    )
+    g_12, g_13, g_14, g_15 = g[12], g[13], g[14], g[15]
+    g_r_12, g_r_13, g_r_14, g_r_15 = g_r[12], g_r[13], g_r[14], g_r[15]
+    # off: what vanishes on the group, and only there [1]
+    off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8
+    off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9
+    off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6
+    off_3 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
+    off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6
+    off_5 = g_e_10*g_e_10 - 1.0 + g_e_2*g_e_2 + g_e_6*g_e_6
+    off_6 = (
+        g_e_0*g_e_10*g_e_5 - 1.0 + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 - g_e_0*g_e_6*g_e_9 -
+        g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8
+    )
+    off_10 = g_15 - 1.0
+    off_14 = g_r_15 - 1.0
+    # drift: square of the distance from the group [1]
+    drift = (
+        g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 + g_r_14*g_r_14 +
+        off_0*off_0 + off_1*off_1 + off_10*off_10 + off_14*off_14 + off_2*off_2 + off_3*off_3 +
+        off_4*off_4 + off_5*off_5 + off_6*off_6
+    )
+    # -- end --
+    return (
+        (drift,),
     )

@@ -1,10 +1,151 @@
 /*
- * cubesat_3u_f32: gsmc on SO3, law log (the rotation vector), float precision.
+ * cubesat_3u_f32: gsmc on SO3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
+         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg
+         m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
+         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_3', 3],
+         ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name': 'rate_gain', 'size': 1,
+         'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar': True, 'holder': 'params',
+         'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument': 'lambda_', 'shape': (1,)},
+         {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc': 'reaching rate', 'source': '',
+         'is_scalar': True, 'holder': 'params', 'member': 'k_s', 'entries': [['reach_gain', 0]],
+         'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body
+         velocity', 'source': '', 'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries':
+         [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name':
+         'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'internal momentum, of wheels', 'source':
+         '', 'is_scalar': False, 'holder': 'state', 'member': 'momentum', 'entries': [['momentum_0',
+         0], ['momentum_1', 1], ['momentum_2', 2]], 'argument': 'momentum', 'shape': (3,)}, {'name':
+         'nu_r', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity, reference body frame',
+         'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu', 'entries':
+         [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'argument': 'nu_r', 'shape': (3,)}, {'name':
+         'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'its rate', 'source': '', 'is_scalar':
+         False, 'holder': 'reference', 'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0],
+         ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument': 'nu_r_dot', 'shape': (3,)}, {'name':
+         'g_e', 'size': 9, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)',
+         'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1],
+         ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7],
+         ['g_e_8', 8]], 'argument': 'g_e', 'shape': (9,)}], 'steps': [{'name': 'eta', 'size': 3,
+         'unit': 'rad/s', 'doc': 'reference velocity in the body frame', 'source': 'eq. (velErr)',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'],
+         'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0
+         + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2', 'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']],
+         'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc': 'velocity error',
+         'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
+         eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit':
+         'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
+         'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1'],
+         ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 -
+         eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 +
+         g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1',
+         'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3',
+         'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', '1.0F + g_e_0 - g_e_4 -
+         g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'],
+         ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 -
+         g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0F +
+         g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc':
+         'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
+         'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+         ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
+         'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+         'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+         ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0',
+         'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name':
+         'power', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2',
+         'power_3'], 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
+         B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
+         ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3',
+         'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']], 'cases': []}, {'name':
+         'norm_square', 'size': 1, 'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square',
+         'power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3']], 'cases': []},
+         {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'],
+         'lines': [], 'cases': [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded',
+         '49.0F']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name':
+         'norm', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases':
+         []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length, and to w >= 0: the
+         shorter way round', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 < 0.0F', 'lines': [['scale',
+         '-1.0F/norm']]}, {'condition': '', 'lines': [['scale', '1.0F/norm']]}]}, {'name': 'w',
+         'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w', 'power_3*scale']],
+         'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle
+         times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'],
+         ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['k'], 'lines': [['k', 'cubesat_3u_f32_k(w)']], 'cases': []}, {'name': 'sine_square',
+         'size': 1, 'unit': '1', 'doc': '1 - w^2, below zero by an ulp at most', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine_square'], 'lines':
+         [['sine_square', '(1.0F + w)*(1.0F - w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit':
+         '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['h'], 'lines': [['h', '(1.0F - k*w)/(1.0e-8F +
+         fabsf(sine_square))']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
+         'kinematic law, the rotation vector', 'source': 'eq. (KinCtrlLawSO3)', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
+         '2.0F*k*v_0'], ['nu_u_1', '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']], 'cases': []}, {'name':
+         'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0',
+         'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 -
+         nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x
+         nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0',
+         'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1',
+         'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name':
+         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
+         'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1',
+         'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'cases':
+         []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'],
+         'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
+         'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
+         'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'],
+         ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted',
+         'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
+         [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
+         - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
+         reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
+         'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'],
+         ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+         'whole_momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu and the internal momentum',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['whole_momentum_0',
+         'whole_momentum_1', 'whole_momentum_2'], 'lines': [['whole_momentum_0', 'momentum_0 +
+         inertia_0*nu_0'], ['whole_momentum_1', 'momentum_1 + inertia_3*nu_1'], ['whole_momentum_2',
+         'momentum_2 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m',
+         'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0',
+         'inertia_0*wanted_0 + turning_2*whole_momentum_1 - turning_1*whole_momentum_2'],
+         ['force_1', 'inertia_3*wanted_1 + turning_0*whole_momentum_2 -
+         turning_2*whole_momentum_0'], ['force_2', 'inertia_5*wanted_2 + turning_1*whole_momentum_0
+         - turning_0*whole_momentum_1']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
+         'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's',
+         'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False,
+         'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u',
+         'size': 3, 'unit': 'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False,
+         'holder': 'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
+         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate', 'source': '', 'is_scalar':
+         False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
+         'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
+         locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
+         'entries': ['w']}], 'operations': 187, 'temporaries': 68, 'symbol': 'tracking',
+         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
+         'momentum', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
+         'clearance'], 'public_writes': ['command', 'clearance']}, float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "cubesat_3u_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,7 +158,8 @@
 const cubesat_3u_f32_params cubesat_3u_f32_defaults = {
     {0.0421F, 0.0F, 0.0F, 0.0417F, 0.0F, 0.0067F},
     0.05F, /* lambda */
-    0.2F /* k_s */
+    0.2F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -37,39 +179,27 @@ static inline float cubesat_3u_f32_k(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
+static const cubesat_3u_f32_command cubesat_3u_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
         const cubesat_3u_f32_state *state, const cubesat_3u_f32_reference *reference,
-        cubesat_3u_f32_command *command, float *clearance)
+        cubesat_3u_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
+        const float g_e_3, const float g_e_4, const float g_e_5, const float g_e_6,
+        const float g_e_7, const float g_e_8)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_3 = params->inertia[3],
         inertia_5 = params->inertia[5];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
     const float momentum_0 = state->momentum[0], momentum_1 = state->momentum[1],
         momentum_2 = state->momentum[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
-    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
-    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
-    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
-    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
-    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
-    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
-    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
-    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const float eta_0 = g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2;
@@ -236,34 +366,7 @@ static void cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
     command->nu_u_dot[0] = nu_u_dot_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void cubesat_3u_f32_residual(const float g[9], float residual[7])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
-        g_7 = g[7], g_8 = g[8];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_3*g_3 + g_6*g_6;
-    const float off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const float off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const float off_3 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
-    const float off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const float off_5 = g_2*g_2 - 1.0F + g_5*g_5 + g_8*g_8;
-    const float off_6 = g_0*g_4*g_8 - 1.0F + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -279,48 +382,31 @@ static void cubesat_3u_f32_definiteness(const cubesat_3u_f32_params *params, flo
     pivot[2] = inertia_5;
 }
 
-/* The worse of two findings. */
-static cubesat_3u_f32_status cubesat_3u_f32_worse(const cubesat_3u_f32_status a,
-        const cubesat_3u_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static cubesat_3u_f32_status cubesat_3u_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    cubesat_3u_f32_status worst = CUBESAT_3U_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = CUBESAT_3U_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = cubesat_3u_f32_worse(worst, CUBESAT_3U_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static cubesat_3u_f32_status cubesat_3u_f32_on_group(const float g[9])
-{
-    float residual[7];
-    int i;
-    cubesat_3u_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
-        if (!(fabsf(residual[i]) <= CUBESAT_3U_F32_MAX_DRIFT)) {
-            return CUBESAT_3U_F32_NOT_ON_GROUP;
-        }
-    }
-    return CUBESAT_3U_F32_OK;
-}
-
 void cubesat_3u_f32_tracking(const cubesat_3u_f32_params *params, const cubesat_3u_f32_state *state,
         const cubesat_3u_f32_reference *reference, cubesat_3u_f32_command *command)
 {
-    float clearance;
-    cubesat_3u_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
+    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
+
+    /* -- end -- */
+    (void)cubesat_3u_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5, g_e_6, g_e_7, g_e_8);
 }
 
 void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_3u_f32_state *state,
@@ -515,11 +601,35 @@ void cubesat_3u_f32_plant(const cubesat_3u_f32_params *params, const cubesat_3u_
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static cubesat_3u_f32_status cubesat_3u_f32_judge(const cubesat_3u_f32_state *state,
-        const cubesat_3u_f32_reference *reference)
+/* The worse of two findings. */
+static cubesat_3u_f32_status cubesat_3u_f32_worse(const cubesat_3u_f32_status a,
+        const cubesat_3u_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static cubesat_3u_f32_status cubesat_3u_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     cubesat_3u_f32_status worst = CUBESAT_3U_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = CUBESAT_3U_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = cubesat_3u_f32_worse(worst, CUBESAT_3U_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static cubesat_3u_f32_status cubesat_3u_f32_refuse(const cubesat_3u_f32_state *state,
+        const cubesat_3u_f32_reference *reference, const cubesat_3u_f32_status found,
+        cubesat_3u_f32_command *command)
+{
+    cubesat_3u_f32_status worst = found;
     worst = cubesat_3u_f32_worse(worst,
             cubesat_3u_f32_inspect(state->g, 9, CUBESAT_3U_F32_MAX_INPUT));
     worst = cubesat_3u_f32_worse(worst,
@@ -532,60 +642,118 @@ static cubesat_3u_f32_status cubesat_3u_f32_judge(const cubesat_3u_f32_state *st
             cubesat_3u_f32_inspect(reference->nu, 3, CUBESAT_3U_F32_MAX_INPUT));
     worst = cubesat_3u_f32_worse(worst,
             cubesat_3u_f32_inspect(reference->nu_dot, 3, CUBESAT_3U_F32_MAX_INPUT));
-    if (worst == CUBESAT_3U_F32_OK) {
-        worst = cubesat_3u_f32_on_group(state->g);
-    }
-    if (worst == CUBESAT_3U_F32_OK) {
-        worst = cubesat_3u_f32_on_group(reference->g);
-    }
+    *command = cubesat_3u_f32_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static cubesat_3u_f32_status cubesat_3u_f32_verdict(const cubesat_3u_f32_command *command,
-        const float clearance)
+static cubesat_3u_f32_status cubesat_3u_f32_verdict(const float clearance,
+        cubesat_3u_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return CUBESAT_3U_F32_NONFINITE_INPUT;
-            }
-        }
+    cubesat_3u_f32_status status = CUBESAT_3U_F32_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = cubesat_3u_f32_nothing;
+        status = CUBESAT_3U_F32_NONFINITE_INPUT;
     }
-    return clearance < CUBESAT_3U_F32_NEAR_CUT ? CUBESAT_3U_F32_NEAR_CUT_LOCUS : CUBESAT_3U_F32_OK;
+    return clearance < CUBESAT_3U_F32_NEAR_CUT ? cubesat_3u_f32_worse(status,
+            CUBESAT_3U_F32_NEAR_CUT_LOCUS) : status;
 }
 
 cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params,
         const cubesat_3u_f32_state *state, const cubesat_3u_f32_reference *reference,
         cubesat_3u_f32_command *command)
 {
-    static const cubesat_3u_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    cubesat_3u_f32_status status = cubesat_3u_f32_judge(state, reference);
-    if (status == CUBESAT_3U_F32_OK) {
-        float clearance;
-        cubesat_3u_f32_law(params, state, reference, command, &clearance);
-        status = cubesat_3u_f32_verdict(command, clearance);
+    float clearance;
+#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
     }
-    if (status >= CUBESAT_3U_F32_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
+    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= CUBESAT_3U_F32_MAX_ENTRY && fabsf(g_e_1) <= CUBESAT_3U_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= CUBESAT_3U_F32_MAX_ENTRY && fabsf(g_e_3) <= CUBESAT_3U_F32_MAX_ENTRY
+            && fabsf(g_e_4) <= CUBESAT_3U_F32_MAX_ENTRY && fabsf(g_e_5) <= CUBESAT_3U_F32_MAX_ENTRY
+            && fabsf(g_e_6) <= CUBESAT_3U_F32_MAX_ENTRY && fabsf(g_e_7) <= CUBESAT_3U_F32_MAX_ENTRY
+            && fabsf(g_e_8) <= CUBESAT_3U_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(state->momentum[0]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(state->momentum[1]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(state->momentum[2]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= CUBESAT_3U_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= CUBESAT_3U_F32_MAX_INPUT)) {
+        return cubesat_3u_f32_refuse(state, reference, CUBESAT_3U_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
+    const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
+    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
+    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
+    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
+    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
+        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
+        off_5*off_5 + off_6*off_6;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return cubesat_3u_f32_refuse(state, reference, CUBESAT_3U_F32_NOT_ON_GROUP, command);
+    }
+    clearance = cubesat_3u_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8);
+    return cubesat_3u_f32_verdict(clearance, command);
 }
 
 cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *params)
 {
+#ifdef CUBESAT_3U_CHECK_POINTERS
+    if (params == NULL) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (cubesat_3u_f32_inspect(params->inertia, 6, CUBESAT_3U_F32_MAX_PARAM) != CUBESAT_3U_F32_OK) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= CUBESAT_3U_F32_MAX_PARAM)) {
+    if (!(params->lambda >= CUBESAT_3U_F32_MIN_GAIN && params->lambda <= CUBESAT_3U_F32_MAX_RATE)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= CUBESAT_3U_F32_MAX_PARAM)) {
+    if (!(params->k_s >= CUBESAT_3U_F32_MIN_GAIN && params->k_s <= CUBESAT_3U_F32_MAX_RATE)) {
+        return CUBESAT_3U_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= CUBESAT_3U_F32_MOST_DRIFT)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

@@ -1,10 +1,152 @@
 /*
- * hovercraft_f64: gsmc on SE2, law log (the logarithm), double precision.
+ * hovercraft_f64: gsmc on SE2, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
+         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg
+         m^2, kg m, kg', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar':
+         False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_2',
+         2], ['inertia_3', 3], ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name':
+         'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
+         True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
+         'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
+         'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
+         'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size':
+         3, 'unit': 'rad/s, m/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False,
+         'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]],
+         'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s, m/s', 'doc':
+         'reference velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder':
+         'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]],
+         'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2,
+         m/s^2', 'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference',
+         'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]],
+         'argument': 'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 9, 'unit': '1', 'doc':
+         'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
+         'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4],
+         ['g_e_5', 5]], 'argument': 'g_e', 'shape': (9,)}], 'steps': [{'name': 'eta_arm_0', 'size':
+         2, 'unit': 'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['eta_arm_0_0', 'eta_arm_0_1'], 'lines': [['eta_arm_0_0', 'nu_r_1 -
+         g_e_5*nu_r_0'], ['eta_arm_0_1', 'nu_r_2 + g_e_2*nu_r_0']], 'cases': []}, {'name': 'eta',
+         'size': 3, 'unit': 'rad/s, m/s', 'doc': 'reference velocity in the body frame', 'source':
+         'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_1',
+         'eta_2'], 'lines': [['eta_1', 'eta_arm_0_0*g_e_0 + eta_arm_0_1*g_e_3'], ['eta_2',
+         'eta_arm_0_0*g_e_1 + eta_arm_0_1*g_e_4']], 'cases': []}, {'name': 'nu_e', 'size': 3,
+         'unit': 'rad/s, m/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines':
+         [['nu_e_0', 'nu_0 - nu_r_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']],
+         'cases': []}, {'name': 'eta_dot_arm_0', 'size': 2, 'unit': 'm/s', 'doc': 'velocity at p',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_arm_0_0',
+         'eta_dot_arm_0_1'], 'lines': [['eta_dot_arm_0_0', 'nu_r_dot_1 - g_e_5*nu_r_dot_0'],
+         ['eta_dot_arm_0_1', 'nu_r_dot_2 + g_e_2*nu_r_dot_0']], 'cases': []}, {'name': 'eta_dot',
+         'size': 3, 'unit': 'rad/s^2, m/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['eta_dot_1', 'eta_dot_2'], 'lines':
+         [['eta_dot_1', 'eta_2*nu_e_0 + eta_dot_arm_0_0*g_e_0 + eta_dot_arm_0_1*g_e_3 -
+         nu_e_2*nu_r_0'], ['eta_dot_2', 'eta_dot_arm_0_0*g_e_1 + eta_dot_arm_0_1*g_e_4 +
+         nu_e_1*nu_r_0 - eta_1*nu_e_0']], 'cases': []}, {'name': 'twice', 'size': 2, 'unit': '1',
+         'doc': '2 cos and 2 sin of the angle', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['twice_0', 'twice_1'], 'lines': [['twice_0', 'g_e_0 + g_e_4'],
+         ['twice_1', 'g_e_3 - g_e_1']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit':
+         '1', 'doc': 'their squared length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'twice_0*twice_0 +
+         twice_1*twice_1']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc':
+         'the same: less is no turn', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square < 3.0',
+         'lines': [['norm_bounded', '3.0']]}, {'condition': '', 'lines': [['norm_bounded',
+         'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'their length',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines':
+         [['norm', 'sqrt(norm_bounded)']], 'cases': []}, {'name': 'column', 'size': 2, 'unit': '1',
+         'doc': 'cos >= 0 and sin of half the angle, unscaled', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['column_0', 'column_1'], 'lines': [], 'cases':
+         [{'condition': 'twice_0 >= 0.0', 'lines': [['column_0', 'norm + twice_0'], ['column_1',
+         'twice_1']]}, {'condition': 'twice_1 >= 0.0', 'lines': [['column_0', 'twice_1'],
+         ['column_1', 'norm - twice_0']]}, {'condition': '', 'lines': [['column_0', '-twice_1'],
+         ['column_1', 'twice_0 - norm']]}]}, {'name': 'column_square', 'size': 1, 'unit': '1',
+         'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['column_square'], 'lines': [['column_square', 'column_0*column_0 +
+         column_1*column_1']], 'cases': []}, {'name': 'column_bounded', 'size': 1, 'unit': '1',
+         'doc': 'the same', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['column_bounded'], 'lines': [], 'cases': [{'condition': 'column_square < 3.0', 'lines':
+         [['column_bounded', '3.0']]}, {'condition': '', 'lines': [['column_bounded',
+         'column_square']]}]}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines':
+         [['scale', '1.0/sqrt(column_bounded)']], 'cases': []}, {'name': 'cosine', 'size': 1,
+         'unit': '1', 'doc': 'cos of half the error angle, rounded', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['cosine'], 'lines': [['cosine',
+         'column_0*scale']], 'cases': []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half
+         the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['w'], 'lines': [], 'cases': [{'condition': 'cosine > 1.0', 'lines': [['w', '1.0']]},
+         {'condition': '', 'lines': [['w', 'cosine']]}]}, {'name': 'sine', 'size': 1, 'unit': '1',
+         'doc': 'sin of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['sine'], 'lines': [['sine', 'column_1*scale']], 'cases': []},
+         {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [['k',
+         'hovercraft_f64_k(w)']], 'cases': []}, {'name': 'h', 'size': 1, 'unit': '1', 'doc':
+         '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'],
+         'lines': [['h', 'hovercraft_f64_h(w)']], 'cases': []}, {'name': 'phi', 'size': 1, 'unit':
+         'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['phi_0'], 'lines': [['phi_0', '2.0*k*sine']], 'cases': []},
+         {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['half'], 'lines': [['half', '0.5/k']], 'cases': []},
+         {'name': 'turned_p', 'size': 2, 'unit': 'm', 'doc': 'p turned back by half the angle',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turned_p_0',
+         'turned_p_1'], 'lines': [['turned_p_0', 'g_e_2*w + g_e_5*sine'], ['turned_p_1', 'g_e_5*w -
+         g_e_2*sine']], 'cases': []}, {'name': 'rho_p', 'size': 2, 'unit': 'm', 'doc': 'p - k Y p +
+         h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['rho_p_0', 'rho_p_1'], 'lines': [['rho_p_0', 'k*turned_p_0'], ['rho_p_1',
+         'k*turned_p_1']], 'cases': []}, {'name': 'y_p', 'size': 2, 'unit': 'm', 'doc': 'rho/(2 k)',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['y_p_0', 'y_p_1'],
+         'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1', 'half*rho_p_1']], 'cases': []}, {'name':
+         'turn', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_1', 'turn_2'], 'lines':
+         [['turn_1', 'nu_e_0*y_p_1 - nu_e_2*sine'], ['turn_2', 'nu_e_1*sine - nu_e_0*y_p_0']],
+         'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_1',
+         'bend_2'], 'lines': [['bend_1', '-sine*turn_2'], ['bend_2', 'sine*turn_1']], 'cases': []},
+         {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_1',
+         'nu_u_dot_2'], 'lines': [['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2',
+         'nu_e_2 + bend_2*h + k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit':
+         'rad/s, m/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0',
+         'phi_0*rate_gain'], ['drive_1', 'rate_gain*rho_p_0'], ['drive_2', 'rate_gain*rho_p_1']],
+         'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'sliding variable',
+         'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
+         ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2,
+         m/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0',
+         'nu_r_dot_0 - nu_e_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
+         nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
+         reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s, m/s',
+         'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 -
+         nu_r_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases':
+         []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_1', 'momentum_2'],
+         'lines': [['momentum_1', 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0 +
+         inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m, N', 'doc':
+         'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0',
+         'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'],
+         ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0'], ['force_2', 'inertia_2*wanted_0 +
+         inertia_5*wanted_2 - momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force',
+         'size': 3, 'unit': 'N m, N', 'doc': 'control force', 'source': '', 'is_scalar': False,
+         'holder': 'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']},
+         {'name': 's', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': '',
+         'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']},
+         {'name': 'nu_u', 'size': 3, 'unit': 'rad, m', 'doc': 'kinematic law', 'source': '',
+         'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['phi_0', 'rho_p_0',
+         'rho_p_1']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s, m/s', 'doc': 'its exact rate',
+         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries':
+         ['nu_e_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1',
+         'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder':
+         '', 'member': 'clearance', 'entries': ['w']}], 'operations': 118, 'temporaries': 57,
+         'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
+         'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes':
+         ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "hovercraft_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,7 +159,8 @@
 const hovercraft_f64_params hovercraft_f64_defaults = {
     {0.05836, 0.0, -0.084, 2.1, 0.0, 2.1},
     0.5, /* lambda */
-    1.5 /* k_s */
+    1.5, /* k_s */
+    1.0e-6 /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -80,36 +223,24 @@ static inline double hovercraft_f64_h(const double w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void hovercraft_f64_law(const hovercraft_f64_params *params,
+static const hovercraft_f64_command hovercraft_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static double hovercraft_f64_law(const hovercraft_f64_params *params,
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
-        hovercraft_f64_command *command, double *clearance)
+        hovercraft_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
+        const double g_e_3, const double g_e_4, const double g_e_5)
 {
     /* -- tracking -- */
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
     const double rate_gain = params->lambda;
     const double reach_gain = params->k_s;
-    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
     const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* gap_0: translation of g from g_r [m] */
-    const double gap_0_0 = g_2 - g_r_2;
-    const double gap_0_1 = g_5 - g_r_5;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3;
-    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3;
-    const double g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
-    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4;
-    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4;
-    const double g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
 
     /* eta_arm_0: velocity at p [m/s] */
     const double eta_arm_0_0 = nu_r_1 - g_e_5*nu_r_0;
@@ -272,30 +403,7 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
     command->nu_u_dot[0] = nu_e_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void hovercraft_f64_residual(const double g[9], double residual[7])
-{
-    /* -- residual -- */
-    const double g_0 = g[0], g_1 = g[1], g_3 = g[3], g_4 = g[4], g_6 = g[6], g_7 = g[7], g_8 = g[8];
-
-    /* off: deviation from the group [1] */
-    const double off_0 = g_0*g_0 - 1.0 + g_3*g_3;
-    const double off_1 = g_0*g_1 + g_3*g_4;
-    const double off_2 = g_1*g_1 - 1.0 + g_4*g_4;
-    const double off_3 = g_0*g_4 - 1.0 - g_1*g_3;
-    const double off_6 = g_8 - 1.0;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = g_6;
-    residual[5] = g_7;
-    residual[6] = off_6;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -305,7 +413,7 @@ static void hovercraft_f64_definiteness(const hovercraft_f64_params *params, dou
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -325,48 +433,30 @@ static void hovercraft_f64_definiteness(const hovercraft_f64_params *params, dou
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static hovercraft_f64_status hovercraft_f64_worse(const hovercraft_f64_status a,
-        const hovercraft_f64_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static hovercraft_f64_status hovercraft_f64_inspect(const double *numbers, const int count,
-        const double limit)
-{
-    hovercraft_f64_status worst = HOVERCRAFT_F64_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = HOVERCRAFT_F64_NONFINITE_INPUT;
-        } else if (fabs(numbers[i]) > limit) {
-            worst = hovercraft_f64_worse(worst, HOVERCRAFT_F64_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static hovercraft_f64_status hovercraft_f64_on_group(const double g[9])
-{
-    double residual[7];
-    int i;
-    hovercraft_f64_residual(g, residual);
-    for (i = 0; i < 7; i++) {
-        if (!(fabs(residual[i]) <= HOVERCRAFT_F64_MAX_DRIFT)) {
-            return HOVERCRAFT_F64_NOT_ON_GROUP;
-        }
-    }
-    return HOVERCRAFT_F64_OK;
-}
-
 void hovercraft_f64_tracking(const hovercraft_f64_params *params, const hovercraft_f64_state *state,
         const hovercraft_f64_reference *reference, hovercraft_f64_command *command)
 {
-    double clearance;
-    hovercraft_f64_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
+
+    /* gap_0: translation of g from g_r [m] */
+    const double gap_0_0 = g_2 - g_r_2;
+    const double gap_0_1 = g_5 - g_r_5;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3;
+    const double g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
+    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4;
+    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4;
+    const double g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
+
+    /* -- end -- */
+    (void)hovercraft_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5);
 }
 
 void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercraft_f64_state *state,
@@ -558,11 +648,35 @@ void hovercraft_f64_plant(const hovercraft_f64_params *params, const hovercraft_
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static hovercraft_f64_status hovercraft_f64_judge(const hovercraft_f64_state *state,
-        const hovercraft_f64_reference *reference)
+/* The worse of two findings. */
+static hovercraft_f64_status hovercraft_f64_worse(const hovercraft_f64_status a,
+        const hovercraft_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static hovercraft_f64_status hovercraft_f64_inspect(const double *numbers, const int count,
+        const double limit)
 {
     hovercraft_f64_status worst = HOVERCRAFT_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = HOVERCRAFT_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = hovercraft_f64_worse(worst, HOVERCRAFT_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static hovercraft_f64_status hovercraft_f64_refuse(const hovercraft_f64_state *state,
+        const hovercraft_f64_reference *reference, const hovercraft_f64_status found,
+        hovercraft_f64_command *command)
+{
+    hovercraft_f64_status worst = found;
     worst = hovercraft_f64_worse(worst,
             hovercraft_f64_inspect(state->g, 9, HOVERCRAFT_F64_MAX_INPUT));
     worst = hovercraft_f64_worse(worst,
@@ -573,60 +687,119 @@ static hovercraft_f64_status hovercraft_f64_judge(const hovercraft_f64_state *st
             hovercraft_f64_inspect(reference->nu, 3, HOVERCRAFT_F64_MAX_INPUT));
     worst = hovercraft_f64_worse(worst,
             hovercraft_f64_inspect(reference->nu_dot, 3, HOVERCRAFT_F64_MAX_INPUT));
-    if (worst == HOVERCRAFT_F64_OK) {
-        worst = hovercraft_f64_on_group(state->g);
-    }
-    if (worst == HOVERCRAFT_F64_OK) {
-        worst = hovercraft_f64_on_group(reference->g);
-    }
+    *command = hovercraft_f64_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static hovercraft_f64_status hovercraft_f64_verdict(const hovercraft_f64_command *command,
-        const double clearance)
+static hovercraft_f64_status hovercraft_f64_verdict(const double clearance,
+        hovercraft_f64_command *command)
 {
-    const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return HOVERCRAFT_F64_NONFINITE_INPUT;
-            }
-        }
+    hovercraft_f64_status status = HOVERCRAFT_F64_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = hovercraft_f64_nothing;
+        status = HOVERCRAFT_F64_NONFINITE_INPUT;
     }
-    return clearance < HOVERCRAFT_F64_NEAR_CUT ? HOVERCRAFT_F64_NEAR_CUT_LOCUS : HOVERCRAFT_F64_OK;
+    return clearance < HOVERCRAFT_F64_NEAR_CUT ? hovercraft_f64_worse(status,
+            HOVERCRAFT_F64_NEAR_CUT_LOCUS) : status;
 }
 
 hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params,
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
         hovercraft_f64_command *command)
 {
-    static const hovercraft_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
-    hovercraft_f64_status status = hovercraft_f64_judge(state, reference);
-    if (status == HOVERCRAFT_F64_OK) {
-        double clearance;
-        hovercraft_f64_law(params, state, reference, command, &clearance);
-        status = hovercraft_f64_verdict(command, clearance);
+    double clearance;
+#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
     }
-    if (status >= HOVERCRAFT_F64_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
+
+    /* gap_0: translation of g from g_r [m] */
+    const double gap_0_0 = g_2 - g_r_2;
+    const double gap_0_1 = g_5 - g_r_5;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3;
+    const double g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
+    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4;
+    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4;
+    const double g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
+
+    /* -- end -- */
+    if (!(fabs(g_e_0) <= HOVERCRAFT_F64_MAX_ENTRY && fabs(g_e_1) <= HOVERCRAFT_F64_MAX_ENTRY
+            && fabs(g_e_2) <= HOVERCRAFT_F64_MAX_REACH && fabs(g_e_3) <= HOVERCRAFT_F64_MAX_ENTRY
+            && fabs(g_e_4) <= HOVERCRAFT_F64_MAX_ENTRY && fabs(g_e_5) <= HOVERCRAFT_F64_MAX_REACH
+            && fabs(state->g[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->g[5]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->nu[0]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->nu[1]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->nu[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->g[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->g[5]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu[0]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu[1]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu_dot[0]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu_dot[1]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu_dot[2]) <= HOVERCRAFT_F64_MAX_INPUT)) {
+        const int is_near = fabs(g_e_2) <= HOVERCRAFT_F64_MAX_REACH
+                && fabs(g_e_5) <= HOVERCRAFT_F64_MAX_REACH;
+        return hovercraft_f64_refuse(state, reference,
+                is_near ? HOVERCRAFT_F64_NOT_ON_GROUP : HOVERCRAFT_F64_OUT_OF_RANGE, command);
     }
-    return status;
+    /* -- drift -- */
+    const double g_6 = state->g[6], g_7 = state->g[7], g_8 = state->g[8];
+    const double g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3;
+    const double off_1 = g_e_0*g_e_1 + g_e_3*g_e_4;
+    const double off_2 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4;
+    const double off_3 = g_e_0*g_e_4 - 1.0 - g_e_1*g_e_3;
+    const double off_6 = g_8 - 1.0;
+    const double off_9 = g_r_8 - 1.0;
+
+    /* drift: square of the distance from the group [1] */
+    const double drift = g_6*g_6 + g_7*g_7 + g_r_6*g_r_6 + g_r_7*g_r_7 + off_0*off_0 + off_1*off_1 +
+        off_2*off_2 + off_3*off_3 + off_6*off_6 + off_9*off_9;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return hovercraft_f64_refuse(state, reference, HOVERCRAFT_F64_NOT_ON_GROUP, command);
+    }
+    clearance = hovercraft_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5);
+    return hovercraft_f64_verdict(clearance, command);
 }
 
 hovercraft_f64_status hovercraft_f64_check_params(const hovercraft_f64_params *params)
 {
+#ifdef HOVERCRAFT_CHECK_POINTERS
+    if (params == NULL) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (hovercraft_f64_inspect(params->inertia, 6, HOVERCRAFT_F64_MAX_PARAM) != HOVERCRAFT_F64_OK) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0 && params->lambda <= HOVERCRAFT_F64_MAX_PARAM)) {
+    if (!(params->lambda >= HOVERCRAFT_F64_MIN_GAIN && params->lambda <= HOVERCRAFT_F64_MAX_RATE)) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0 && params->k_s <= HOVERCRAFT_F64_MAX_PARAM)) {
+    if (!(params->k_s >= HOVERCRAFT_F64_MIN_GAIN && params->k_s <= HOVERCRAFT_F64_MAX_RATE)) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0 && params->max_drift <= HOVERCRAFT_F64_MOST_DRIFT)) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
     if (fabs(params->inertia[1]) > 0.0) {

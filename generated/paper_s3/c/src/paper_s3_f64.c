@@ -1,10 +1,153 @@
 /*
- * paper_s3_f64: gsmc on S3, law half_log (half the rotation vector), double precision.
+ * paper_s3_f64: gsmc on S3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
+         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg
+         m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
+         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1],
+         ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
+         'inertia', 'shape': (6,)}, {'name': 'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding
+         rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'lambda', 'entries':
+         [['rate_gain', 0]], 'argument': 'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size':
+         1, 'unit': '1/s', 'doc': 'reaching rate', 'source': '', 'is_scalar': True, 'holder':
+         'params', 'member': 'k_s', 'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape':
+         (1,)}, {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '',
+         'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1',
+         1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit':
+         'rad/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar':
+         False, 'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
+         ['nu_r_2', 2]], 'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit':
+         'rad/s^2', 'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference',
+         'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]],
+         'argument': 'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc':
+         'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
+         'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument':
+         'g_e', 'shape': (4,)}], 'steps': [{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of
+         g_e^-1: reference to body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5',
+         'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', '1.0 - 2.0*g_e_2*g_e_2 -
+         2.0*g_e_3*g_e_3'], ['to_body_1', '2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2',
+         '2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)'],
+         ['to_body_4', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5', '2.0*(g_e_0*g_e_1 +
+         g_e_2*g_e_3)'], ['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7',
+         '2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 -
+         2.0*g_e_2*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc':
+         'reference velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0',
+         'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 +
+         nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 +
+         nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc':
+         'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
+         'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3,
+         'unit': 'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
+         'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
+         eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+         nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
+         nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name':
+         'norm_square', 'size': 1, 'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square',
+         'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []}, {'name':
+         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
+         'cases': [{'condition': 'norm_square < 1.0e-7', 'lines': [['norm_bounded', '1.0e-7']]},
+         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
+         1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['norm'], 'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []}, {'name':
+         'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['scale'], 'lines': [['scale', '1.0/norm']], 'cases':
+         []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w',
+         'g_e_0*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half
+         the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'g_e_1*scale'], ['v_1',
+         'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'cases': []}, {'name': 'k_near', 'size': 1,
+         'unit': '1', 'doc': 'half angle over its sine, for |w|', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['k_near'], 'lines': [['k_near',
+         'paper_s3_f64_k(fabs(w))']], 'cases': []}, {'name': 'sine_square', 'size': 1, 'unit': '1',
+         'doc': 'v.v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['sine_square'], 'lines': [['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']], 'cases': []},
+         {'name': 'sine_bounded', 'size': 1, 'unit': '1', 'doc': 'the same, away from -i and i',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine_bounded'],
+         'lines': [], 'cases': [{'condition': 'sine_square < (1.0e-60*1.0e-60)', 'lines':
+         [['sine_bounded', '1.0e-60*1.0e-60']]}, {'condition': '', 'lines': [['sine_bounded',
+         'sine_square']]}]}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': '|v|', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'], 'lines': [['sine',
+         'sqrt(sine_bounded)']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['k'], 'lines': [], 'cases': [{'condition': 'w >= 0.0', 'lines': [['k',
+         'k_near']]}, {'condition': '', 'lines': [['k', '3.141592653589793/sine - k_near']]}]},
+         {'name': 'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['h'], 'lines': [['h', '(1.0 -
+         k*w)/sine_bounded']], 'cases': []}, {'name': 'distance', 'size': 1, 'unit': '1', 'doc':
+         'distance from -i', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['distance'], 'lines': [], 'cases': [{'condition': 'w < 0.0', 'lines': [['distance',
+         'sine']]}, {'condition': '', 'lines': [['distance', '1.0']]}]}, {'name': 'p', 'size': 1,
+         'unit': '1', 'doc': 'half of nu_u over v', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['p'], 'lines': [['p', '0.5*k']], 'cases': []}, {'name': 'drop',
+         'size': 1, 'unit': '1', 'doc': '-dp/dw', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['drop'], 'lines': [['drop', '0.5*h']], 'cases': []}, {'name':
+         'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law, half the rotation vector',
+         'source': 'eq. (KinCtrlLawS3)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0', '2.0*p*v_0'], ['nu_u_1', '2.0*p*v_1'],
+         ['nu_u_2', '2.0*p*v_2']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc':
+         'v x nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1',
+         'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'cases': []}, {'name':
+         'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines':
+         [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2',
+         'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s',
+         'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', '0.5*nu_e_0 +
+         bend_0*drop + p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*drop + p*turn_1'],
+         ['nu_u_dot_2', '0.5*nu_e_2 + bend_2*drop + p*turn_2']], 'cases': []}, {'name': 'drive',
+         'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines':
+         [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
+         'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
+         'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'],
+         ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted',
+         'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
+         [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
+         - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
+         reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
+         'lambda nu_u - eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'],
+         ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name':
+         'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines':
+         [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1',
+         'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 +
+         inertia_4*nu_1 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N
+         m', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0',
+         'inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 + momentum_1*turning_2 -
+         momentum_2*turning_1'], ['force_1', 'inertia_1*wanted_0 + inertia_3*wanted_1 +
+         inertia_4*wanted_2 + momentum_2*turning_0 - momentum_0*turning_2'], ['force_2',
+         'inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 + momentum_0*turning_1 -
+         momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N
+         m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
+         'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
+         'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
+         'unit': 'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
+         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate', 'source': '', 'is_scalar':
+         False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
+         'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
+         locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
+         'entries': ['distance']}], 'operations': 206, 'temporaries': 65, 'symbol': 'tracking',
+         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
+         'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
+         'public_writes': ['command', 'clearance']}, double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_s3_f64.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,7 +160,8 @@
 const paper_s3_f64_params paper_s3_f64_defaults = {
     {3.6046, -0.0706, 0.1491, 8.6868, 0.0449, 9.3484},
     0.5, /* lambda */
-    1.0 /* k_s */
+    1.0, /* k_s */
+    1.0e-6 /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -49,9 +193,13 @@ static inline double paper_s3_f64_k(const double w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f64_state *state,
-        const paper_s3_f64_reference *reference, paper_s3_f64_command *command, double *clearance)
+static const paper_s3_f64_command paper_s3_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f64_state *state,
+        const paper_s3_f64_reference *reference, paper_s3_f64_command *command, const double g_e_0,
+        const double g_e_1, const double g_e_2, const double g_e_3)
 {
     /* -- tracking -- */
     const double inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -59,19 +207,10 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
     const double rate_gain = params->lambda;
     const double reach_gain = params->k_s;
-    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3];
     const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const double g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
-    const double g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
-    const double g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
-    const double g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
 
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
     const double to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3;
@@ -166,8 +305,8 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;
 
-    /* fall: -dp/dw [1] */
-    const double fall = 0.5*h;
+    /* drop: -dp/dw [1] */
+    const double drop = 0.5*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
@@ -185,9 +324,9 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*fall + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*fall + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*fall + p*turn_2;
+    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*drop + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*drop + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -235,20 +374,7 @@ static void paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f
     command->nu_u_dot[0] = nu_u_dot_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = distance;
-}
-
-/* distance of stored numbers from the group. */
-static void paper_s3_f64_residual(const double g[4], double residual[1])
-{
-    /* -- residual -- */
-    const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
-
-    /* off: deviation from the group [1] */
-    const double off_0 = g_0*g_0 - 1.0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
-
-    /* -- end -- */
-    residual[0] = off_0;
+    return distance;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -259,7 +385,7 @@ static void paper_s3_f64_definiteness(const paper_s3_f64_params *params, double 
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -276,7 +402,7 @@ static void paper_s3_f64_definiteness(const paper_s3_f64_params *params, double 
     /* pivot_1: pivot of I [kg m^2] */
     const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;
@@ -296,48 +422,22 @@ static void paper_s3_f64_definiteness(const paper_s3_f64_params *params, double 
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static paper_s3_f64_status paper_s3_f64_worse(const paper_s3_f64_status a,
-        const paper_s3_f64_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static paper_s3_f64_status paper_s3_f64_inspect(const double *numbers, const int count,
-        const double limit)
-{
-    paper_s3_f64_status worst = PAPER_S3_F64_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = PAPER_S3_F64_NONFINITE_INPUT;
-        } else if (fabs(numbers[i]) > limit) {
-            worst = paper_s3_f64_worse(worst, PAPER_S3_F64_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static paper_s3_f64_status paper_s3_f64_on_group(const double g[4])
-{
-    double residual[1];
-    int i;
-    paper_s3_f64_residual(g, residual);
-    for (i = 0; i < 1; i++) {
-        if (!(fabs(residual[i]) <= PAPER_S3_F64_MAX_DRIFT)) {
-            return PAPER_S3_F64_NOT_ON_GROUP;
-        }
-    }
-    return PAPER_S3_F64_OK;
-}
-
 void paper_s3_f64_tracking(const paper_s3_f64_params *params, const paper_s3_f64_state *state,
         const paper_s3_f64_reference *reference, paper_s3_f64_command *command)
 {
-    double clearance;
-    paper_s3_f64_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const double g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const double g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    (void)paper_s3_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
 }
 
 void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64_state *state,
@@ -408,8 +508,8 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     /* p: half of nu_u over v [1] */
     const double p = 0.5*k;
 
-    /* fall: -dp/dw [1] */
-    const double fall = 0.5*h;
+    /* drop: -dp/dw [1] */
+    const double drop = 0.5*h;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
     const double nu_u_0 = 2.0*p*v_0;
@@ -427,9 +527,9 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double bend_2 = turn_1*v_0 - turn_0*v_1;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*fall + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*fall + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*fall + p*turn_2;
+    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*drop + p*turn_0;
+    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*drop + p*turn_1;
+    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*drop + p*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -530,11 +630,35 @@ void paper_s3_f64_plant(const paper_s3_f64_params *params, const paper_s3_f64_st
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static paper_s3_f64_status paper_s3_f64_judge(const paper_s3_f64_state *state,
-        const paper_s3_f64_reference *reference)
+/* The worse of two findings. */
+static paper_s3_f64_status paper_s3_f64_worse(const paper_s3_f64_status a,
+        const paper_s3_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static paper_s3_f64_status paper_s3_f64_inspect(const double *numbers, const int count,
+        const double limit)
 {
     paper_s3_f64_status worst = PAPER_S3_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = PAPER_S3_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = paper_s3_f64_worse(worst, PAPER_S3_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static paper_s3_f64_status paper_s3_f64_refuse(const paper_s3_f64_state *state,
+        const paper_s3_f64_reference *reference, const paper_s3_f64_status found,
+        paper_s3_f64_command *command)
+{
+    paper_s3_f64_status worst = found;
     worst = paper_s3_f64_worse(worst,
             paper_s3_f64_inspect(state->g, 4, PAPER_S3_F64_MAX_INPUT));
     worst = paper_s3_f64_worse(worst,
@@ -545,63 +669,99 @@ static paper_s3_f64_status paper_s3_f64_judge(const paper_s3_f64_state *state,
             paper_s3_f64_inspect(reference->nu, 3, PAPER_S3_F64_MAX_INPUT));
     worst = paper_s3_f64_worse(worst,
             paper_s3_f64_inspect(reference->nu_dot, 3, PAPER_S3_F64_MAX_INPUT));
-    if (worst == PAPER_S3_F64_OK) {
-        worst = paper_s3_f64_on_group(state->g);
-    }
-    if (worst == PAPER_S3_F64_OK) {
-        worst = paper_s3_f64_on_group(reference->g);
-    }
+    *command = paper_s3_f64_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static paper_s3_f64_status paper_s3_f64_verdict(const paper_s3_f64_command *command,
-        const double clearance)
+static paper_s3_f64_status paper_s3_f64_verdict(const double clearance,
+        paper_s3_f64_command *command)
 {
-    const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return PAPER_S3_F64_NONFINITE_INPUT;
-            }
-        }
+    paper_s3_f64_status status = PAPER_S3_F64_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = paper_s3_f64_nothing;
+        status = PAPER_S3_F64_NONFINITE_INPUT;
     }
     if (clearance < PAPER_S3_F64_REFUSED_CUT) {
-        return PAPER_S3_F64_OUT_OF_RANGE;
+        *command = paper_s3_f64_nothing;
+        return paper_s3_f64_worse(status, PAPER_S3_F64_OUT_OF_RANGE);
     }
-    return clearance < PAPER_S3_F64_NEAR_CUT ? PAPER_S3_F64_NEAR_CUT_LOCUS : PAPER_S3_F64_OK;
+    return clearance < PAPER_S3_F64_NEAR_CUT ? paper_s3_f64_worse(status,
+            PAPER_S3_F64_NEAR_CUT_LOCUS) : status;
 }
 
 paper_s3_f64_status paper_s3_f64_control(const paper_s3_f64_params *params,
         const paper_s3_f64_state *state, const paper_s3_f64_reference *reference,
         paper_s3_f64_command *command)
 {
-    static const paper_s3_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
-    paper_s3_f64_status status = paper_s3_f64_judge(state, reference);
-    if (status == PAPER_S3_F64_OK) {
-        double clearance;
-        paper_s3_f64_law(params, state, reference, command, &clearance);
-        status = paper_s3_f64_verdict(command, clearance);
+    double clearance;
+#ifdef PAPER_S3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_S3_F64_BAD_PARAMS;
     }
-    if (status >= PAPER_S3_F64_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const double g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const double g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    if (!(fabs(g_e_0) <= PAPER_S3_F64_MAX_ENTRY && fabs(g_e_1) <= PAPER_S3_F64_MAX_ENTRY
+            && fabs(g_e_2) <= PAPER_S3_F64_MAX_ENTRY && fabs(g_e_3) <= PAPER_S3_F64_MAX_ENTRY
+            && fabs(state->nu[0]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(state->nu[1]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(state->nu[2]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(reference->nu[0]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(reference->nu[1]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(reference->nu[2]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(reference->nu_dot[0]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(reference->nu_dot[1]) <= PAPER_S3_F64_MAX_INPUT
+            && fabs(reference->nu_dot[2]) <= PAPER_S3_F64_MAX_INPUT)) {
+        return paper_s3_f64_refuse(state, reference, PAPER_S3_F64_NOT_ON_GROUP, command);
     }
-    return status;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* drift: square of the distance from the group [1] */
+    const double drift = off_0*off_0;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return paper_s3_f64_refuse(state, reference, PAPER_S3_F64_NOT_ON_GROUP, command);
+    }
+    clearance = paper_s3_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+    return paper_s3_f64_verdict(clearance, command);
 }
 
 paper_s3_f64_status paper_s3_f64_check_params(const paper_s3_f64_params *params)
 {
+#ifdef PAPER_S3_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_S3_F64_BAD_PARAMS;
+    }
+#endif
     double pivot[3];
     int i;
     if (paper_s3_f64_inspect(params->inertia, 6, PAPER_S3_F64_MAX_PARAM) != PAPER_S3_F64_OK) {
         return PAPER_S3_F64_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0 && params->lambda <= PAPER_S3_F64_MAX_PARAM)) {
+    if (!(params->lambda >= PAPER_S3_F64_MIN_GAIN && params->lambda <= PAPER_S3_F64_MAX_RATE)) {
         return PAPER_S3_F64_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0 && params->k_s <= PAPER_S3_F64_MAX_PARAM)) {
+    if (!(params->k_s >= PAPER_S3_F64_MIN_GAIN && params->k_s <= PAPER_S3_F64_MAX_RATE)) {
+        return PAPER_S3_F64_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0 && params->max_drift <= PAPER_S3_F64_MOST_DRIFT)) {
         return PAPER_S3_F64_BAD_PARAMS;
     }
     paper_s3_f64_definiteness(params, pivot);

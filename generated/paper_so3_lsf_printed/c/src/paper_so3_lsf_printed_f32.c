@@ -1,10 +1,75 @@
 /*
- * paper_so3_lsf_printed_f32: lsf_printed on SO3, law skew (sin(angle) axis), float precision.
+ * paper_so3_lsf_printed_f32: lsf_printed on SO3, law {'name': 'tracking', 'doc': 'LSF force that
+         tracks (g_r, nu_r)', 'source': 'eq. (Ctrls2)', 'inputs': [{'name': 'inertia', 'size': 6,
+         'unit': 'kg m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar':
+         False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1',
+         1], ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
+         'inertia', 'shape': (6,)}, {'name': 'k', 'size': 1, 'unit': '1/s', 'doc': 'gain of s',
+         'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k', 'entries': [['k', 0]],
+         'argument': 'k', 'shape': (1,)}, {'name': 'kappa', 'size': 1, 'unit': '1/s^2', 'doc': 'gain
+         of the attitude error', 'source': '', 'is_scalar': True, 'holder': 'params', 'member':
+         'kappa', 'entries': [['kappa', 0]], 'argument': 'kappa', 'shape': (1,)}, {'name': 'nu',
+         'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False,
+         'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]],
+         'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc':
+         'reference velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder':
+         'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]],
+         'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2',
+         'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member':
+         'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
+         'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 9, 'unit': '1', 'doc': 'error, g_r^-1
+         g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
+         [['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7]],
+         'argument': 'g_e', 'shape': (9,)}], 'steps': [{'name': 'nu_u', 'size': 3, 'unit': 'rad',
+         'doc': 'attitude error, 2 sin(angle) axis', 'source': 'eq. (s2)', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
+         'g_e_7 - g_e_5'], ['nu_u_1', 'g_e_2 - g_e_6'], ['nu_u_2', 'g_e_3 - g_e_1']], 'cases': []},
+         {'name': 'raw', 'size': 3, 'unit': 'rad/s', 'doc': 'nu - nu_r, each in its own body frame',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['raw_0', 'raw_1',
+         'raw_2'], 'lines': [['raw_0', 'nu_0 - nu_r_0'], ['raw_1', 'nu_1 - nu_r_1'], ['raw_2', 'nu_2
+         - nu_r_2']], 'cases': []}, {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'kappa/k',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'], 'lines':
+         [['ratio', 'kappa/k']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
+         'sliding variable', 'source': 'eq. (s2)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'raw_0 + nu_u_0*ratio'], ['s_1', 'raw_1 +
+         nu_u_1*ratio'], ['s_2', 'raw_2 + nu_u_2*ratio']], 'cases': []}, {'name': 'wanted', 'size':
+         3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
+         [['wanted_0', 'nu_r_dot_0 - k*s_0'], ['wanted_1', 'nu_r_dot_1 - k*s_1'], ['wanted_2',
+         'nu_r_dot_2 - k*s_2']], 'cases': []}, {'name': 'crossing', 'size': 3, 'unit': 'rad/s^2',
+         'doc': 'nu x nu_r', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['crossing_0', 'crossing_1', 'crossing_2'], 'lines': [['crossing_0', 'nu_1*nu_r_2 -
+         nu_2*nu_r_1'], ['crossing_1', 'nu_2*nu_r_0 - nu_0*nu_r_2'], ['crossing_2', 'nu_0*nu_r_1 -
+         nu_1*nu_r_0']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I
+         nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
+         'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 +
+         inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'],
+         ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']], 'cases': []}, {'name':
+         'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': 'eq. (Ctrls2)',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'],
+         'lines': [['force_0', 'inertia_0*wanted_0 - crossing_0 + inertia_1*wanted_1 +
+         inertia_2*wanted_2 + momentum_2*nu_1 - momentum_1*nu_2'], ['force_1', 'inertia_1*wanted_0 -
+         crossing_1 + inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_0*nu_2 - momentum_2*nu_0'],
+         ['force_2', 'inertia_2*wanted_0 - crossing_2 + inertia_4*wanted_1 + inertia_5*wanted_2 +
+         momentum_1*nu_0 - momentum_0*nu_1']], 'cases': []}], 'outputs': [{'name': 'force', 'size':
+         3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's',
+         'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False,
+         'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u',
+         'size': 3, 'unit': 'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False,
+         'holder': 'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
+         'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the law',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
+         ['1.0F']}], 'operations': 73, 'temporaries': 22, 'symbol': 'tracking', 'is_public': False,
+         'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot',
+         'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes':
+         ['command', 'clearance']}, float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_so3_lsf_printed_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,14 +82,20 @@
 const paper_so3_lsf_printed_f32_params paper_so3_lsf_printed_f32_defaults = {
     {3.6046F, -0.0706F, 0.1491F, 8.6868F, 0.0449F, 9.3484F},
     1.0F, /* k */
-    0.5F /* kappa */
+    0.5F, /* kappa */
+    0.0001F /* max_drift */
 };
 
-/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2). */
-static void paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params *params,
+static const paper_so3_lsf_printed_f32_command paper_so3_lsf_printed_f32_nothing = { {0.0F}, {0.0F},
+        {0.0F} };
+
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2), past the error. Gives the distance from the cut
+        locus. */
+static float paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params *params,
         const paper_so3_lsf_printed_f32_state *state,
         const paper_so3_lsf_printed_f32_reference *reference,
-        paper_so3_lsf_printed_f32_command *command, float *clearance)
+        paper_so3_lsf_printed_f32_command *command, const float g_e_1, const float g_e_2,
+        const float g_e_3, const float g_e_5, const float g_e_6, const float g_e_7)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -32,24 +103,10 @@ static void paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
     const float k = params->k;
     const float kappa = params->kappa;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
-    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
-    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
-    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
-    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
-    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
 
     /* nu_u: attitude error, 2 sin(angle) axis [rad], eq. (s2) */
     const float nu_u_0 = g_e_7 - g_e_5;
@@ -102,34 +159,7 @@ static void paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params
     command->nu_u[0] = nu_u_0;
     command->nu_u[1] = nu_u_1;
     command->nu_u[2] = nu_u_2;
-    *clearance = 1.0F;
-}
-
-/* distance of stored numbers from the group. */
-static void paper_so3_lsf_printed_f32_residual(const float g[9], float residual[7])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
-        g_7 = g[7], g_8 = g[8];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_3*g_3 + g_6*g_6;
-    const float off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const float off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const float off_3 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
-    const float off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const float off_5 = g_2*g_2 - 1.0F + g_5*g_5 + g_8*g_8;
-    const float off_6 = g_0*g_4*g_8 - 1.0F + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
+    return 1.0F;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -141,7 +171,7 @@ static void paper_so3_lsf_printed_f32_definiteness(const paper_so3_lsf_printed_f
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -158,7 +188,7 @@ static void paper_so3_lsf_printed_f32_definiteness(const paper_so3_lsf_printed_f
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -178,52 +208,30 @@ static void paper_so3_lsf_printed_f32_definiteness(const paper_so3_lsf_printed_f
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_worse(const
-        paper_so3_lsf_printed_f32_status a,
-        const paper_so3_lsf_printed_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_inspect(const float *numbers,
-        const int count,
-        const float limit)
-{
-    paper_so3_lsf_printed_f32_status worst = PAPER_SO3_LSF_PRINTED_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = paper_so3_lsf_printed_f32_worse(worst, PAPER_SO3_LSF_PRINTED_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_on_group(const float g[9])
-{
-    float residual[7];
-    int i;
-    paper_so3_lsf_printed_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
-        if (!(fabsf(residual[i]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_DRIFT)) {
-            return PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP;
-        }
-    }
-    return PAPER_SO3_LSF_PRINTED_F32_OK;
-}
-
 void paper_so3_lsf_printed_f32_tracking(const paper_so3_lsf_printed_f32_params *params,
         const paper_so3_lsf_printed_f32_state *state,
         const paper_so3_lsf_printed_f32_reference *reference,
         paper_so3_lsf_printed_f32_command *command)
 {
-    float clearance;
-    paper_so3_lsf_printed_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+
+    /* -- end -- */
+    (void)paper_so3_lsf_printed_f32_law(params, state, reference, command, g_e_1, g_e_2, g_e_3,
+            g_e_5, g_e_6, g_e_7);
 }
 
 void paper_so3_lsf_printed_f32_plant(const paper_so3_lsf_printed_f32_params *params,
@@ -282,12 +290,38 @@ void paper_so3_lsf_printed_f32_plant(const paper_so3_lsf_printed_f32_params *par
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_judge(const
-        paper_so3_lsf_printed_f32_state *state,
-        const paper_so3_lsf_printed_f32_reference *reference)
+/* The worse of two findings. */
+static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_worse(const
+        paper_so3_lsf_printed_f32_status a,
+        const paper_so3_lsf_printed_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_inspect(const float *numbers,
+        const int count,
+        const float limit)
 {
     paper_so3_lsf_printed_f32_status worst = PAPER_SO3_LSF_PRINTED_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = paper_so3_lsf_printed_f32_worse(worst, PAPER_SO3_LSF_PRINTED_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_refuse(const
+        paper_so3_lsf_printed_f32_state *state,
+        const paper_so3_lsf_printed_f32_reference *reference,
+        const paper_so3_lsf_printed_f32_status found, paper_so3_lsf_printed_f32_command *command)
+{
+    paper_so3_lsf_printed_f32_status worst = found;
     worst = paper_so3_lsf_printed_f32_worse(worst,
             paper_so3_lsf_printed_f32_inspect(state->g, 9, PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT));
     worst = paper_so3_lsf_printed_f32_worse(worst,
@@ -301,32 +335,22 @@ static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_judge(const
     worst = paper_so3_lsf_printed_f32_worse(worst,
             paper_so3_lsf_printed_f32_inspect(reference->nu_dot, 3,
                     PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT));
-    if (worst == PAPER_SO3_LSF_PRINTED_F32_OK) {
-        worst = paper_so3_lsf_printed_f32_on_group(state->g);
-    }
-    if (worst == PAPER_SO3_LSF_PRINTED_F32_OK) {
-        worst = paper_so3_lsf_printed_f32_on_group(reference->g);
-    }
+    *command = paper_so3_lsf_printed_f32_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_verdict(const
-        paper_so3_lsf_printed_f32_command *command,
-        const float clearance)
+static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_verdict(const float clearance,
+        paper_so3_lsf_printed_f32_command *command)
 {
-    const float *const rows[3] = {command->force, command->s, command->nu_u};
-    int row;
-    int i;
-    for (row = 0; row < 3; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT;
-            }
-        }
+    paper_so3_lsf_printed_f32_status status = PAPER_SO3_LSF_PRINTED_F32_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = paper_so3_lsf_printed_f32_nothing;
+        status = PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT;
     }
-    return clearance < PAPER_SO3_LSF_PRINTED_F32_NEAR_CUT ? PAPER_SO3_LSF_PRINTED_F32_NEAR_CUT_LOCUS
-            : PAPER_SO3_LSF_PRINTED_F32_OK;
+    return clearance < PAPER_SO3_LSF_PRINTED_F32_NEAR_CUT ? paper_so3_lsf_printed_f32_worse(status,
+            PAPER_SO3_LSF_PRINTED_F32_NEAR_CUT_LOCUS) : status;
 }
 
 paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_control(const
@@ -335,32 +359,101 @@ paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_control(const
         const paper_so3_lsf_printed_f32_reference *reference,
         paper_so3_lsf_printed_f32_command *command)
 {
-    static const paper_so3_lsf_printed_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F } };
-    paper_so3_lsf_printed_f32_status status = paper_so3_lsf_printed_f32_judge(state, reference);
-    if (status == PAPER_SO3_LSF_PRINTED_F32_OK) {
-        float clearance;
-        paper_so3_lsf_printed_f32_law(params, state, reference, command, &clearance);
-        status = paper_so3_lsf_printed_f32_verdict(command, clearance);
+    float clearance;
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_LSF_PRINTED_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
     }
-    if (status >= PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
+    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_1) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_3) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_5) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_6) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_7) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT)) {
+        return paper_so3_lsf_printed_f32_refuse(state, reference,
+                PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
+    const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
+    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
+    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
+    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
+    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
+        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
+        off_5*off_5 + off_6*off_6;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return paper_so3_lsf_printed_f32_refuse(state, reference,
+                PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP, command);
+    }
+    clearance = paper_so3_lsf_printed_f32_law(params, state, reference, command, g_e_1, g_e_2,
+            g_e_3, g_e_5, g_e_6, g_e_7);
+    return paper_so3_lsf_printed_f32_verdict(clearance, command);
 }
 
 paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_check_params(const
         paper_so3_lsf_printed_f32_params *params)
 {
+#ifdef PAPER_SO3_LSF_PRINTED_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (paper_so3_lsf_printed_f32_inspect(params->inertia, 6, PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM)
             != PAPER_SO3_LSF_PRINTED_F32_OK) {
         return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
     }
-    if (!(params->k > 0.0F && params->k <= PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM)) {
+    if (!(params->k >= PAPER_SO3_LSF_PRINTED_F32_MIN_GAIN && params->k <=
+            PAPER_SO3_LSF_PRINTED_F32_MAX_RATE)) {
         return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
     }
-    if (!(params->kappa > 0.0F && params->kappa <= PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM)) {
+    if (!(params->kappa >= PAPER_SO3_LSF_PRINTED_F32_MIN_GAIN && params->kappa <=
+            PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM)) {
+        return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= PAPER_SO3_LSF_PRINTED_F32_MOST_DRIFT)) {
         return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
     }
     paper_so3_lsf_printed_f32_definiteness(params, pivot);

@@ -1,12 +1,124 @@
-/*
- * paper_so3_pd_plus_f32: pd_plus on SO3, law lee (sin(angle/2) axis), float precision.
+/**
+ * @file
+ * @brief paper_so3_pd_plus_f32: pd_plus on SO3, law {'name': 'tracking', 'doc': 'PD+ force that
+ *     tracks (g_r, nu_r)', 'source': 'eq. (Ctrls3)', 'inputs': [{'name': 'inertia', 'size': 6,
+ *     'unit': 'kg m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar':
+ *     False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1',
+ *     1], ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
+ *     'inertia', 'shape': (6,)}, {'name': 'k_R', 'size': 1, 'unit': 'N m', 'doc': 'gain of the
+ *     attitude error', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_R',
+ *     'entries': [['k_R', 0]], 'argument': 'k_R', 'shape': (1,)}, {'name': 'k_Omega', 'size': 1,
+ *     'unit': 'N m s', 'doc': 'gain of s', 'source': '', 'is_scalar': True, 'holder': 'params',
+ *     'member': 'k_Omega', 'entries': [['k_Omega', 0]], 'argument': 'k_Omega', 'shape': (1,)},
+ *     {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar':
+ *     False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]],
+ *     'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc':
+ *     'reference velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder':
+ *     'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]],
+ *     'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc':
+ *     'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot',
+ *     'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument': 'nu_r_dot',
+ *     'shape': (3,)}, {'name': 'g_e', 'size': 9, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source':
+ *     'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0],
+ *     ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7',
+ *     7], ['g_e_8', 8]], 'argument': 'g_e', 'shape': (9,)}], 'steps': [{'name': 'eta', 'size': 3,
+ *     'unit': 'rad/s', 'doc': 'reference velocity in the body frame', 'source': 'eq. (velErr)',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'],
+ *     'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 +
+ *     g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2', 'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']],
+ *     'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc': 'velocity error', 'source':
+ *     'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1',
+ *     'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2
+ *     - eta_2']], 'cases': []}, {'name': 'given', 'size': 3, 'unit': 'rad/s^2', 'doc': 'nu_r_dot in
+ *     the body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+ *     ['given_0', 'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1
+ *     + g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
+ *     ['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []},
+ *     {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source':
+ *     'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
+ *     'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines':
+ *     [['B_0', '1.0F + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'],
+ *     ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'],
+ *     ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'],
+ *     ['B_9', '1.0F + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name': 'column', 'size': 4, 'unit':
+ *     '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder':
+ *     '', 'member': '', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'lines': [],
+ *     'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'],
+ *     ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)',
+ *     'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3',
+ *     'B_3']]}, {'condition': 'B_4 >= B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
+ *     ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
+ *     ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size':
+ *     4, 'unit': '1', 'doc': 'the column after one power step', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines':
+ *     [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
+ *     'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
+ *     B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
+ *     B_8*column_2 + B_9*column_3']], 'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1',
+ *     'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+ *     'names': ['norm_square'], 'lines': [['norm_square', 'power_0*power_0 + power_1*power_1 +
+ *     power_2*power_2 + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1,
+ *     'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True,
+ *     'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition':
+ *     'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]}, {'condition': '', 'lines':
+ *     [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc':
+ *     'length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'],
+ *     'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []}, {'name': 'scale', 'size': 1,
+ *     'unit': '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
+ *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases':
+ *     [{'condition': 'power_3 < 0.0F', 'lines': [['scale', '-1.0F/norm']]}, {'condition': '',
+ *     'lines': [['scale', '1.0F/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of
+ *     half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+ *     ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1',
+ *     'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar': False,
+ *     'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0',
+ *     'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []}, {'name':
+ *     'ratio', 'size': 1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source': '', 'is_scalar': True,
+ *     'holder': '', 'member': '', 'names': ['ratio'], 'lines': [['ratio', 'k_R/k_Omega']], 'cases':
+ *     []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq.
+ *     (s3)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'],
+ *     'lines': [['s_0', 'nu_e_0 + ratio*v_0'], ['s_1', 'nu_e_1 + ratio*v_1'], ['s_2', 'nu_e_2 +
+ *     ratio*v_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I eta',
+ *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
+ *     'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'eta_0*inertia_0 + eta_1*inertia_1 +
+ *     eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4'],
+ *     ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 + eta_2*inertia_5']], 'cases': []},
+ *     {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': 'eq. (Ctrls3)',
+ *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'],
+ *     'lines': [['force_0', 'eta_1*momentum_2 + given_0*inertia_0 + given_1*inertia_1 +
+ *     given_2*inertia_2 - eta_2*momentum_1 - k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 +
+ *     given_0*inertia_1 + given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'],
+ *     ['force_2', 'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 -
+ *     eta_1*momentum_0 - k_Omega*s_2']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
+ *     'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
+ *     'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
+ *     'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+ *     'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
+ *     'unit': 'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder':
+ *     'command', 'member': 'nu_u', 'entries': ['v_0', 'v_1', 'v_2']}, {'name': 'clearance', 'size':
+ *     1, 'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
+ *     True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 147,
+ *     'temporaries': 45, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+ *     'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
+ *     'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float
+ *     precision.
+ *
  * Generated by derive from the vehicle file paper_so3_pd_plus.toml; regenerate instead of editing.
  *
- * Configuration: rotation matrix, row by row.
- * Velocities and forces are in the body frame; the reference velocity is in the reference
- * body frame. Pointers must not be null. No heap, no mutable globals, no recursion; of libm
- * only sqrtf. The source refuses -ffast-math, -Ofast and -ffinite-math-only:
- * with them control would not see NaN and infinity.
+ * - Use: paper_so3_pd_plus_f32_check_params once at start-up, then paper_so3_pd_plus_f32_control at
+ *   every instant.
+ * - Units: SI; they stand in brackets beside each number.
+ * - Frames: velocities and forces are in the body frame; the reference's in the reference's own.
+ * - Configuration g: rotation matrix, row by row.
+ * - Pointers: never null; each to a whole struct, or to as many numbers as stand in the brackets,
+ *   aligned as its type; what is written may not overlap what is read.
+ * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
+ *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
+ *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity.
+ * - Needs: sqrtf of libm; memcpy and memset, which compilers call of their own accord. No heap,
+ *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
+ * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
+ *   where the code departs from rules, trace.csv which lines are which equation.
  */
 #ifndef PAPER_SO3_PD_PLUS_F32_H
 #define PAPER_SO3_PD_PLUS_F32_H
@@ -15,72 +127,105 @@
 extern "C" {
 #endif
 
-/* largest magnitude of a number in state or reference */
+/** largest magnitude of a number in state or reference */
 #define PAPER_SO3_PD_PLUS_F32_MAX_INPUT 1.0e6F
-/* largest residual of a configuration on the group */
-#define PAPER_SO3_PD_PLUS_F32_MAX_DRIFT 0.0001F
-#define PAPER_SO3_PD_PLUS_F32_NEAR_CUT 0.001F /* clearance below which NEAR_CUT_LOCUS is flagged */
-/* clearance below which a law with a pole is refused */
-#define PAPER_SO3_PD_PLUS_F32_REFUSED_CUT 1.0e-7F
-#define PAPER_SO3_PD_PLUS_F32_MAX_PARAM 1.0e9F /* largest magnitude of an inertia entry or a gain */
+/** of an entry of the error that the group keeps at 1 */
+#define PAPER_SO3_PD_PLUS_F32_MAX_ENTRY 1.01F
+#define PAPER_SO3_PD_PLUS_F32_MAX_REACH 4.0e6F /**< of any other entry of the error */
+#define PAPER_SO3_PD_PLUS_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
+/** clearance below which NEAR_CUT_LOCUS is flagged */
+#define PAPER_SO3_PD_PLUS_F32_NEAR_CUT 0.001F
+/** largest inertia entry, force limit, or other gain */
+#define PAPER_SO3_PD_PLUS_F32_MAX_PARAM 1.0e9F
+#define PAPER_SO3_PD_PLUS_F32_MIN_GAIN 1.0e-9F /**< least gain */
+#define PAPER_SO3_PD_PLUS_F32_MAX_RATE 1.0e4F /**< largest gain in 1/s */
 
-/* The largest status that applies is returned; from 16 on the whole command is zero. */
+/** What was found. The largest that applies is returned; from 16 on the whole command is zero. */
 typedef enum {
-    PAPER_SO3_PD_PLUS_F32_OK = 0, /* the command is good */
-    PAPER_SO3_PD_PLUS_F32_SATURATED = 1, /* a force limit was reached */
-    PAPER_SO3_PD_PLUS_F32_NEAR_CUT_LOCUS = 2, /* the error is close to where the law jumps */
-    /* a configuration is off the group by more than MAX_DRIFT */
+    PAPER_SO3_PD_PLUS_F32_OK = 0, /**< the command is good */
+    PAPER_SO3_PD_PLUS_F32_SATURATED = 1, /**< a force limit was reached */
+    PAPER_SO3_PD_PLUS_F32_NEAR_CUT_LOCUS = 2, /**< the error is close to where the law jumps */
+    /** the error is off the group by more than max_drift */
     PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP = 16,
-    PAPER_SO3_PD_PLUS_F32_OUT_OF_RANGE = 17, /* above MAX_INPUT, or within REFUSED_CUT of a pole */
-    PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT = 18, /* an input, or what it leads to, is not finite */
-    PAPER_SO3_PD_PLUS_F32_BAD_PARAMS = 19 /* found by check_params */
+    PAPER_SO3_PD_PLUS_F32_OUT_OF_RANGE = 17, /**< beyond MAX_INPUT, or too near a pole of the law */
+    PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT = 18, /**< an input, or what it leads to, is not finite */
+    PAPER_SO3_PD_PLUS_F32_BAD_PARAMS = 19 /**< found by check_params */
 } paper_so3_pd_plus_f32_status;
 
+/** Inertia and gains, from the vehicle file or tuned on the target. */
 typedef struct {
-    float inertia[6]; /* inertia, upper triangle, row by row [kg m^2] */
-    float k_R; /* gain of the attitude error [N m] */
-    float k_Omega; /* gain of s [N m s] */
+    float inertia[6]; /**< inertia, upper triangle, row by row [kg m^2] */
+    float k_R; /**< gain of the attitude error [N m] */
+    float k_Omega; /**< gain of s [N m s] */
+    float max_drift; /**< largest distance of the error from the group [1] */
 } paper_so3_pd_plus_f32_params;
 
+/** What is measured. */
 typedef struct {
-    float g[9]; /* configuration: rotation matrix, row by row [1] */
-    float nu[3]; /* body velocity [rad/s] */
+    float g[9]; /**< configuration: rotation matrix, row by row [1] */
+    float nu[3]; /**< body velocity [rad/s] */
 } paper_so3_pd_plus_f32_state;
 
+/** Where to be, and how that moves. */
 typedef struct {
-    float g[9]; /* reference configuration: rotation matrix, row by row [1] */
-    float nu[3]; /* reference velocity, reference body frame [rad/s] */
-    float nu_dot[3]; /* its rate [rad/s^2] */
+    float g[9]; /**< reference configuration: rotation matrix, row by row [1] */
+    float nu[3]; /**< reference velocity, reference body frame [rad/s] */
+    float nu_dot[3]; /**< its rate [rad/s^2] */
 } paper_so3_pd_plus_f32_reference;
 
+/** What is to be done, and what it was made of. */
 typedef struct {
-    float force[3]; /* control force [N m] */
-    float s[3]; /* sliding variable [rad/s] */
-    float nu_u[3]; /* attitude error [rad] */
+    float force[3]; /**< control force [N m] */
+    float s[3]; /**< sliding variable [rad/s] */
+    float nu_u[3]; /**< attitude error [rad] */
 } paper_so3_pd_plus_f32_command;
 
-/* The vehicle file's inertia and gains. */
+/** The vehicle file's inertia and gains. */
 extern const paper_so3_pd_plus_f32_params paper_so3_pd_plus_f32_defaults;
 
-/* To be called once at start-up: OK or BAD_PARAMS (not finite, out of range, inertia not
-   positive definite, or non-zero where the derivation took a zero for granted). */
+/**
+ * Judges the parameters, once at start-up.
+ * @param[in] params inertia and gains, from the vehicle file or tuned on the target
+ * @return OK; or BAD_PARAMS when one is not finite or out of range, the inertia not positive
+ *     definite, or not zero where the derivation took that for granted
+ */
 paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_check_params(const paper_so3_pd_plus_f32_params
         *params);
 
-/* The guarded controller, for checked params: any input bits give a finite force. */
+/**
+ * The guarded controller, for parameters that were checked. Whatever bits the other inputs are
+ * made of, all of the command is written, and it is finite.
+ * @param[in] params inertia and gains, from the vehicle file or tuned on the target
+ * @param[in] state what is measured
+ * @param[in] reference where to be, and how that moves
+ * @param[out] command what is to be done, and what it was made of
+ * @return the largest status that applies
+ */
 paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_plus_f32_params
         *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command);
 
-/* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3). Presumes what control checks.
-   192 operations, 54 temporaries. */
+/**
+ * PD+ force that tracks (g_r, nu_r); eq. (Ctrls3).
+ * Unguarded: presumes what control checks. Cost: 192 operations, 54 temporaries.
+ * @param[in] params inertia and gains, from the vehicle file or tuned on the target
+ * @param[in] state what is measured
+ * @param[in] reference where to be, and how that moves
+ * @param[out] command what is to be done, and what it was made of
+ */
 void paper_so3_pd_plus_f32_tracking(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command);
 
-/* acceleration under a force, Euler-Poincare; eq. (EulerP). Presumes what control checks.
-   57 operations, 16 temporaries. */
+/**
+ * Acceleration under a force, Euler-Poincare; eq. (EulerP).
+ * Unguarded: presumes what control checks. Cost: 57 operations, 16 temporaries.
+ * @param[in] params inertia and gains, from the vehicle file or tuned on the target
+ * @param[in] state what is measured
+ * @param[in] force applied force [N m]
+ * @param[out] nu_dot body acceleration [rad/s^2]
+ */
 void paper_so3_pd_plus_f32_plant(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const float force[3], float nu_dot[3]);
 

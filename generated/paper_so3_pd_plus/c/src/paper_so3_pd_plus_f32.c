@@ -1,10 +1,115 @@
 /*
- * paper_so3_pd_plus_f32: pd_plus on SO3, law lee (sin(angle/2) axis), float precision.
+ * paper_so3_pd_plus_f32: pd_plus on SO3, law {'name': 'tracking', 'doc': 'PD+ force that tracks
+         (g_r, nu_r)', 'source': 'eq. (Ctrls3)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit':
+         'kg m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
+         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1],
+         ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
+         'inertia', 'shape': (6,)}, {'name': 'k_R', 'size': 1, 'unit': 'N m', 'doc': 'gain of the
+         attitude error', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_R',
+         'entries': [['k_R', 0]], 'argument': 'k_R', 'shape': (1,)}, {'name': 'k_Omega', 'size': 1,
+         'unit': 'N m s', 'doc': 'gain of s', 'source': '', 'is_scalar': True, 'holder': 'params',
+         'member': 'k_Omega', 'entries': [['k_Omega', 0]], 'argument': 'k_Omega', 'shape': (1,)},
+         {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '',
+         'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1',
+         1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit':
+         'rad/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar':
+         False, 'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
+         ['nu_r_2', 2]], 'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit':
+         'rad/s^2', 'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference',
+         'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]],
+         'argument': 'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 9, 'unit': '1', 'doc':
+         'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
+         'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4],
+         ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8]], 'argument': 'g_e', 'shape':
+         (9,)}], 'steps': [{'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in
+         the body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 +
+         g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2',
+         'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']], 'cases': []}, {'name': 'nu_e', 'size': 3,
+         'unit': 'rad/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0',
+         'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []},
+         {'name': 'given', 'size': 3, 'unit': 'rad/s^2', 'doc': 'nu_r_dot in the body frame',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['given_0',
+         'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 +
+         g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
+         ['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []},
+         {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source':
+         'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines':
+         [['B_0', '1.0F + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 +
+         g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5
+         + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8',
+         'g_e_3 - g_e_1'], ['B_9', '1.0F + g_e_0 + g_e_4 + g_e_8']], 'cases': []}, {'name':
+         'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1',
+         'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0F', 'lines':
+         [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]},
+         {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1',
+         'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
+         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
+         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
+         ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after
+         one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
+         B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
+         B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
+         B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
+         'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'squared length',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'],
+         'lines': [['norm_square', 'power_0*power_0 + power_1*power_1 + power_2*power_2 +
+         power_3*power_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc':
+         'the same: less is no element', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square < 49.0F',
+         'lines': [['norm_bounded', '49.0F']]}, {'condition': '', 'lines': [['norm_bounded',
+         'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
+         'sqrtf(norm_bounded)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
+         unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
+         'power_3 < 0.0F', 'lines': [['scale', '-1.0F/norm']]}, {'condition': '', 'lines':
+         [['scale', '1.0F/norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the
+         error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
+         'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1',
+         'doc': 'sin of half the error angle times its axis', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0',
+         'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'cases': []},
+         {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'], 'lines': [['ratio',
+         'k_R/k_Omega']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
+         variable', 'source': 'eq. (s3)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 + ratio*v_0'], ['s_1', 'nu_e_1 +
+         ratio*v_1'], ['s_2', 'nu_e_2 + ratio*v_2']], 'cases': []}, {'name': 'momentum', 'size': 3,
+         'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
+         'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 +
+         eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 +
+         eta_2*inertia_5']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc':
+         'control force', 'source': 'eq. (Ctrls3)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'eta_1*momentum_2 +
+         given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2 - eta_2*momentum_1 -
+         k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 + given_0*inertia_1 + given_1*inertia_3 +
+         given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'], ['force_2', 'eta_0*momentum_1 +
+         given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 - eta_1*momentum_0 -
+         k_Omega*s_2']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N m',
+         'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
+         'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit':
+         'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder': 'command',
+         'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit':
+         'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder': 'command',
+         'member': 'nu_u', 'entries': ['v_0', 'v_1', 'v_2']}, {'name': 'clearance', 'size': 1,
+         'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 147,
+         'temporaries': 45, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+         'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
+         'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float
+         precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_so3_pd_plus_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,13 +122,20 @@
 const paper_so3_pd_plus_f32_params paper_so3_pd_plus_f32_defaults = {
     {3.6046F, -0.0706F, 0.1491F, 8.6868F, 0.0449F, 9.3484F},
     9.25F, /* k_R */
-    18.5F /* k_Omega */
+    18.5F, /* k_Omega */
+    0.0001F /* max_drift */
 };
 
-/* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3). */
-static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params,
+static const paper_so3_pd_plus_f32_command paper_so3_pd_plus_f32_nothing = { {0.0F}, {0.0F}, {0.0F}
+        };
+
+/* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3), past the error. Gives the distance from the cut
+        locus. */
+static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
-        paper_so3_pd_plus_f32_command *command, float *clearance)
+        paper_so3_pd_plus_f32_command *command, const float g_e_0, const float g_e_1,
+        const float g_e_2, const float g_e_3, const float g_e_4, const float g_e_5,
+        const float g_e_6, const float g_e_7, const float g_e_8)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -31,27 +143,10 @@ static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
     const float k_R = params->k_R;
     const float k_Omega = params->k_Omega;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
-    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
-    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
-    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
-    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
-    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
-    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
-    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
-    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const float eta_0 = g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2;
@@ -171,34 +266,7 @@ static void paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params
     command->nu_u[0] = v_0;
     command->nu_u[1] = v_1;
     command->nu_u[2] = v_2;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void paper_so3_pd_plus_f32_residual(const float g[9], float residual[7])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3], g_4 = g[4], g_5 = g[5], g_6 = g[6],
-        g_7 = g[7], g_8 = g[8];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_3*g_3 + g_6*g_6;
-    const float off_1 = g_0*g_1 + g_3*g_4 + g_6*g_7;
-    const float off_2 = g_0*g_2 + g_3*g_5 + g_6*g_8;
-    const float off_3 = g_1*g_1 - 1.0F + g_4*g_4 + g_7*g_7;
-    const float off_4 = g_1*g_2 + g_4*g_5 + g_7*g_8;
-    const float off_5 = g_2*g_2 - 1.0F + g_5*g_5 + g_8*g_8;
-    const float off_6 = g_0*g_4*g_8 - 1.0F + g_1*g_5*g_6 + g_2*g_3*g_7 - g_0*g_5*g_7 - g_1*g_3*g_8 -
-        g_2*g_4*g_6;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -210,7 +278,7 @@ static void paper_so3_pd_plus_f32_definiteness(const paper_so3_pd_plus_f32_param
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -227,7 +295,7 @@ static void paper_so3_pd_plus_f32_definiteness(const paper_so3_pd_plus_f32_param
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -247,51 +315,32 @@ static void paper_so3_pd_plus_f32_definiteness(const paper_so3_pd_plus_f32_param
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_worse(const paper_so3_pd_plus_f32_status
-        a,
-        const paper_so3_pd_plus_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_inspect(const float *numbers, const int
-        count,
-        const float limit)
-{
-    paper_so3_pd_plus_f32_status worst = PAPER_SO3_PD_PLUS_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = paper_so3_pd_plus_f32_worse(worst, PAPER_SO3_PD_PLUS_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_on_group(const float g[9])
-{
-    float residual[7];
-    int i;
-    paper_so3_pd_plus_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
-        if (!(fabsf(residual[i]) <= PAPER_SO3_PD_PLUS_F32_MAX_DRIFT)) {
-            return PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP;
-        }
-    }
-    return PAPER_SO3_PD_PLUS_F32_OK;
-}
-
 void paper_so3_pd_plus_f32_tracking(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command)
 {
-    float clearance;
-    paper_so3_pd_plus_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
+    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
+
+    /* -- end -- */
+    (void)paper_so3_pd_plus_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8);
 }
 
 void paper_so3_pd_plus_f32_plant(const paper_so3_pd_plus_f32_params *params,
@@ -350,12 +399,38 @@ void paper_so3_pd_plus_f32_plant(const paper_so3_pd_plus_f32_params *params,
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_judge(const paper_so3_pd_plus_f32_state
-        *state,
-        const paper_so3_pd_plus_f32_reference *reference)
+/* The worse of two findings. */
+static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_worse(const paper_so3_pd_plus_f32_status
+        a,
+        const paper_so3_pd_plus_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_inspect(const float *numbers, const int
+        count,
+        const float limit)
 {
     paper_so3_pd_plus_f32_status worst = PAPER_SO3_PD_PLUS_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = paper_so3_pd_plus_f32_worse(worst, PAPER_SO3_PD_PLUS_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_refuse(const paper_so3_pd_plus_f32_state
+        *state,
+        const paper_so3_pd_plus_f32_reference *reference, const paper_so3_pd_plus_f32_status found,
+        paper_so3_pd_plus_f32_command *command)
+{
+    paper_so3_pd_plus_f32_status worst = found;
     worst = paper_so3_pd_plus_f32_worse(worst,
             paper_so3_pd_plus_f32_inspect(state->g, 9, PAPER_SO3_PD_PLUS_F32_MAX_INPUT));
     worst = paper_so3_pd_plus_f32_worse(worst,
@@ -366,32 +441,22 @@ static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_judge(const paper_so3_
             paper_so3_pd_plus_f32_inspect(reference->nu, 3, PAPER_SO3_PD_PLUS_F32_MAX_INPUT));
     worst = paper_so3_pd_plus_f32_worse(worst,
             paper_so3_pd_plus_f32_inspect(reference->nu_dot, 3, PAPER_SO3_PD_PLUS_F32_MAX_INPUT));
-    if (worst == PAPER_SO3_PD_PLUS_F32_OK) {
-        worst = paper_so3_pd_plus_f32_on_group(state->g);
-    }
-    if (worst == PAPER_SO3_PD_PLUS_F32_OK) {
-        worst = paper_so3_pd_plus_f32_on_group(reference->g);
-    }
+    *command = paper_so3_pd_plus_f32_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_verdict(const
-        paper_so3_pd_plus_f32_command *command,
-        const float clearance)
+static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_verdict(const float clearance,
+        paper_so3_pd_plus_f32_command *command)
 {
-    const float *const rows[3] = {command->force, command->s, command->nu_u};
-    int row;
-    int i;
-    for (row = 0; row < 3; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT;
-            }
-        }
+    paper_so3_pd_plus_f32_status status = PAPER_SO3_PD_PLUS_F32_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = paper_so3_pd_plus_f32_nothing;
+        status = PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT;
     }
-    return clearance < PAPER_SO3_PD_PLUS_F32_NEAR_CUT ? PAPER_SO3_PD_PLUS_F32_NEAR_CUT_LOCUS :
-            PAPER_SO3_PD_PLUS_F32_OK;
+    return clearance < PAPER_SO3_PD_PLUS_F32_NEAR_CUT ? paper_so3_pd_plus_f32_worse(status,
+            PAPER_SO3_PD_PLUS_F32_NEAR_CUT_LOCUS) : status;
 }
 
 paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_plus_f32_params
@@ -399,32 +464,104 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command)
 {
-    static const paper_so3_pd_plus_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F } };
-    paper_so3_pd_plus_f32_status status = paper_so3_pd_plus_f32_judge(state, reference);
-    if (status == PAPER_SO3_PD_PLUS_F32_OK) {
-        float clearance;
-        paper_so3_pd_plus_f32_law(params, state, reference, command, &clearance);
-        status = paper_so3_pd_plus_f32_verdict(command, clearance);
+    float clearance;
+/* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
     }
-    if (status >= PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3 + g_6*g_r_6;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3 + g_7*g_r_6;
+    const float g_e_2 = g_2*g_r_0 + g_5*g_r_3 + g_8*g_r_6;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4 + g_6*g_r_7;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4 + g_7*g_r_7;
+    const float g_e_5 = g_2*g_r_1 + g_5*g_r_4 + g_8*g_r_7;
+    const float g_e_6 = g_0*g_r_2 + g_3*g_r_5 + g_6*g_r_8;
+    const float g_e_7 = g_1*g_r_2 + g_4*g_r_5 + g_7*g_r_8;
+    const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_1) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_3) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_4) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_5) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_6) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_7) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(g_e_8) <= PAPER_SO3_PD_PLUS_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= PAPER_SO3_PD_PLUS_F32_MAX_INPUT)) {
+        return paper_so3_pd_plus_f32_refuse(state, reference, PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP,
+                command);
     }
-    return status;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
+    const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
+    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
+    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
+    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
+    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
+        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
+        off_5*off_5 + off_6*off_6;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return paper_so3_pd_plus_f32_refuse(state, reference, PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP,
+                command);
+    }
+    clearance = paper_so3_pd_plus_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2,
+            g_e_3, g_e_4, g_e_5, g_e_6, g_e_7, g_e_8);
+    return paper_so3_pd_plus_f32_verdict(clearance, command);
 }
 
 paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_check_params(const paper_so3_pd_plus_f32_params
         *params)
 {
+#ifdef PAPER_SO3_PD_PLUS_CHECK_POINTERS
+    if (params == NULL) {
+        return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (paper_so3_pd_plus_f32_inspect(params->inertia, 6, PAPER_SO3_PD_PLUS_F32_MAX_PARAM) !=
             PAPER_SO3_PD_PLUS_F32_OK) {
         return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
     }
-    if (!(params->k_R > 0.0F && params->k_R <= PAPER_SO3_PD_PLUS_F32_MAX_PARAM)) {
+    if (!(params->k_R >= PAPER_SO3_PD_PLUS_F32_MIN_GAIN && params->k_R <=
+            PAPER_SO3_PD_PLUS_F32_MAX_PARAM)) {
         return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
     }
-    if (!(params->k_Omega > 0.0F && params->k_Omega <= PAPER_SO3_PD_PLUS_F32_MAX_PARAM)) {
+    if (!(params->k_Omega >= PAPER_SO3_PD_PLUS_F32_MIN_GAIN && params->k_Omega <=
+            PAPER_SO3_PD_PLUS_F32_MAX_PARAM)) {
+        return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= PAPER_SO3_PD_PLUS_F32_MOST_DRIFT)) {
         return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
     }
     paper_so3_pd_plus_f32_definiteness(params, pivot);

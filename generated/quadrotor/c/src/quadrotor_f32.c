@@ -1,10 +1,147 @@
 /*
- * quadrotor_f32: gsmc on S3, law log (the rotation vector), float precision.
+ * quadrotor_f32: gsmc on S3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
+         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg
+         m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
+         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_2', 2],
+         ['inertia_3', 3], ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name':
+         'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
+         True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
+         'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
+         'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
+         'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size':
+         3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False, 'holder':
+         'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'argument':
+         'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc': 'reference
+         velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference',
+         'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'argument':
+         'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'its
+         rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot',
+         'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
+         'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1
+         g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
+         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape':
+         (4,)}], 'steps': [{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1:
+         reference to body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5',
+         'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', '1.0F - 2.0F*g_e_2*g_e_2 -
+         2.0F*g_e_3*g_e_3'], ['to_body_1', '2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2',
+         '2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3)'],
+         ['to_body_4', '1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3'], ['to_body_5',
+         '2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6', '2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3)'],
+         ['to_body_7', '2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0F - 2.0F*g_e_1*g_e_1 -
+         2.0F*g_e_2*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc':
+         'reference velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0',
+         'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 +
+         nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 +
+         nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc':
+         'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
+         'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3,
+         'unit': 'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
+         'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
+         eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+         nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
+         nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name':
+         'norm_square', 'size': 1, 'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines': [['norm_square',
+         'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []}, {'name':
+         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
+         'cases': [{'condition': 'norm_square < 0.75F', 'lines': [['norm_bounded', '0.75F']]},
+         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
+         1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []}, {'name':
+         'scale', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['scale'], 'lines': [['scale', '1.0F/norm']], 'cases':
+         []}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source':
+         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [['w',
+         'g_e_0*scale']], 'cases': []}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half
+         the error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'g_e_1*scale'], ['v_1',
+         'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'cases': []}, {'name': 'k_near', 'size': 1,
+         'unit': '1', 'doc': 'half angle over its sine, for |w|', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['k_near'], 'lines': [['k_near',
+         'quadrotor_f32_k(fabsf(w))']], 'cases': []}, {'name': 'sine_square', 'size': 1, 'unit':
+         '1', 'doc': 'v.v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['sine_square'], 'lines': [['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']], 'cases': []},
+         {'name': 'sine_bounded', 'size': 1, 'unit': '1', 'doc': 'the same, away from -i and i',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine_bounded'],
+         'lines': [], 'cases': [{'condition': 'sine_square < (5.0e-8F*5.0e-8F)', 'lines':
+         [['sine_bounded', '5.0e-8F*5.0e-8F']]}, {'condition': '', 'lines': [['sine_bounded',
+         'sine_square']]}]}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': '|v|', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'], 'lines': [['sine',
+         'sqrtf(sine_bounded)']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['k'], 'lines': [], 'cases': [{'condition': 'w >= 0.0F', 'lines': [['k',
+         'k_near']]}, {'condition': '', 'lines': [['k', '3.1415927F/sine - k_near']]}]}, {'name':
+         'h', 'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': '', 'names': ['h'], 'lines': [['h', '(1.0F -
+         k*w)/sine_bounded']], 'cases': []}, {'name': 'distance', 'size': 1, 'unit': '1', 'doc':
+         'distance from -i', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['distance'], 'lines': [], 'cases': [{'condition': 'w < 0.0F', 'lines': [['distance',
+         'sine']]}, {'condition': '', 'lines': [['distance', '1.0F']]}]}, {'name': 'nu_u', 'size':
+         3, 'unit': 'rad', 'doc': 'kinematic law, the rotation vector', 'source': 'def. (KctrLaw)',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'],
+         'lines': [['nu_u_0', '2.0F*k*v_0'], ['nu_u_1', '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']],
+         'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'],
+         'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'],
+         ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit':
+         'rad/s', 'doc': 'v x (v x nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 -
+         turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 -
+         turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'exact
+         rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h +
+         k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 +
+         bend_2*h + k*turn_2']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc':
+         'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1',
+         'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size':
+         3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0',
+         'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases':
+         []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0',
+         'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
+         reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'],
+         ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name':
+         'turning', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u - eta', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1',
+         'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'],
+         ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N
+         m s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
+         inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0 +
+         inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc':
+         'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0',
+         'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'],
+         ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2'],
+         ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2 + momentum_0*turning_1 -
+         momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N
+         m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
+         'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
+         'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
+         'unit': 'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
+         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate', 'source': '', 'is_scalar':
+         False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
+         'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
+         locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
+         'entries': ['distance']}], 'operations': 185, 'temporaries': 63, 'symbol': 'tracking',
+         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
+         'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
+         'public_writes': ['command', 'clearance']}, float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "quadrotor_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,7 +154,8 @@
 const quadrotor_f32_params quadrotor_f32_defaults = {
     {0.0085F, 0.0F, 0.00012F, 0.0088F, 0.0F, 0.0152F},
     6.0F, /* lambda */
-    1.0e1F /* k_s */
+    1.0e1F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -37,28 +175,23 @@ static inline float quadrotor_f32_k(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
-        const quadrotor_f32_reference *reference, quadrotor_f32_command *command, float *clearance)
+static const quadrotor_f32_command quadrotor_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference, quadrotor_f32_command *command, const float g_e_0,
+        const float g_e_1, const float g_e_2, const float g_e_3)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
-    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
-    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
-    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
 
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
     const float to_body_0 = 1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3;
@@ -215,20 +348,7 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
     command->nu_u_dot[0] = nu_u_dot_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = distance;
-}
-
-/* distance of stored numbers from the group. */
-static void quadrotor_f32_residual(const float g[4], float residual[1])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_1*g_1 + g_2*g_2 + g_3*g_3;
-
-    /* -- end -- */
-    residual[0] = off_0;
+    return distance;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -238,7 +358,7 @@ static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -258,48 +378,22 @@ static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static quadrotor_f32_status quadrotor_f32_worse(const quadrotor_f32_status a,
-        const quadrotor_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static quadrotor_f32_status quadrotor_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    quadrotor_f32_status worst = QUADROTOR_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = QUADROTOR_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = quadrotor_f32_worse(worst, QUADROTOR_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static quadrotor_f32_status quadrotor_f32_on_group(const float g[4])
-{
-    float residual[1];
-    int i;
-    quadrotor_f32_residual(g, residual);
-    for (i = 0; i < 1; i++) {
-        if (!(fabsf(residual[i]) <= QUADROTOR_F32_MAX_DRIFT)) {
-            return QUADROTOR_F32_NOT_ON_GROUP;
-        }
-    }
-    return QUADROTOR_F32_OK;
-}
-
 void quadrotor_f32_tracking(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
         const quadrotor_f32_reference *reference, quadrotor_f32_command *command)
 {
-    float clearance;
-    quadrotor_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    (void)quadrotor_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
 }
 
 void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
@@ -471,11 +565,35 @@ void quadrotor_f32_plant(const quadrotor_f32_params *params, const quadrotor_f32
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static quadrotor_f32_status quadrotor_f32_judge(const quadrotor_f32_state *state,
-        const quadrotor_f32_reference *reference)
+/* The worse of two findings. */
+static quadrotor_f32_status quadrotor_f32_worse(const quadrotor_f32_status a,
+        const quadrotor_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static quadrotor_f32_status quadrotor_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     quadrotor_f32_status worst = QUADROTOR_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = QUADROTOR_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = quadrotor_f32_worse(worst, QUADROTOR_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static quadrotor_f32_status quadrotor_f32_refuse(const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference, const quadrotor_f32_status found,
+        quadrotor_f32_command *command)
+{
+    quadrotor_f32_status worst = found;
     worst = quadrotor_f32_worse(worst,
             quadrotor_f32_inspect(state->g, 4, QUADROTOR_F32_MAX_INPUT));
     worst = quadrotor_f32_worse(worst,
@@ -486,63 +604,99 @@ static quadrotor_f32_status quadrotor_f32_judge(const quadrotor_f32_state *state
             quadrotor_f32_inspect(reference->nu, 3, QUADROTOR_F32_MAX_INPUT));
     worst = quadrotor_f32_worse(worst,
             quadrotor_f32_inspect(reference->nu_dot, 3, QUADROTOR_F32_MAX_INPUT));
-    if (worst == QUADROTOR_F32_OK) {
-        worst = quadrotor_f32_on_group(state->g);
-    }
-    if (worst == QUADROTOR_F32_OK) {
-        worst = quadrotor_f32_on_group(reference->g);
-    }
+    *command = quadrotor_f32_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_command *command,
-        const float clearance)
+static quadrotor_f32_status quadrotor_f32_verdict(const float clearance,
+        quadrotor_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return QUADROTOR_F32_NONFINITE_INPUT;
-            }
-        }
+    quadrotor_f32_status status = QUADROTOR_F32_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = quadrotor_f32_nothing;
+        status = QUADROTOR_F32_NONFINITE_INPUT;
     }
     if (clearance < QUADROTOR_F32_REFUSED_CUT) {
-        return QUADROTOR_F32_OUT_OF_RANGE;
+        *command = quadrotor_f32_nothing;
+        return quadrotor_f32_worse(status, QUADROTOR_F32_OUT_OF_RANGE);
     }
-    return clearance < QUADROTOR_F32_NEAR_CUT ? QUADROTOR_F32_NEAR_CUT_LOCUS : QUADROTOR_F32_OK;
+    return clearance < QUADROTOR_F32_NEAR_CUT ? quadrotor_f32_worse(status,
+            QUADROTOR_F32_NEAR_CUT_LOCUS) : status;
 }
 
 quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         const quadrotor_f32_state *state, const quadrotor_f32_reference *reference,
         quadrotor_f32_command *command)
 {
-    static const quadrotor_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    quadrotor_f32_status status = quadrotor_f32_judge(state, reference);
-    if (status == QUADROTOR_F32_OK) {
-        float clearance;
-        quadrotor_f32_law(params, state, reference, command, &clearance);
-        status = quadrotor_f32_verdict(command, clearance);
+    float clearance;
+#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (status >= QUADROTOR_F32_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= QUADROTOR_F32_MAX_ENTRY && fabsf(g_e_1) <= QUADROTOR_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= QUADROTOR_F32_MAX_ENTRY && fabsf(g_e_3) <= QUADROTOR_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= QUADROTOR_F32_MAX_INPUT)) {
+        return quadrotor_f32_refuse(state, reference, QUADROTOR_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return quadrotor_f32_refuse(state, reference, QUADROTOR_F32_NOT_ON_GROUP, command);
+    }
+    clearance = quadrotor_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+    return quadrotor_f32_verdict(clearance, command);
 }
 
 quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *params)
 {
+#ifdef QUADROTOR_CHECK_POINTERS
+    if (params == NULL) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (quadrotor_f32_inspect(params->inertia, 6, QUADROTOR_F32_MAX_PARAM) != QUADROTOR_F32_OK) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= QUADROTOR_F32_MAX_PARAM)) {
+    if (!(params->lambda >= QUADROTOR_F32_MIN_GAIN && params->lambda <= QUADROTOR_F32_MAX_RATE)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= QUADROTOR_F32_MAX_PARAM)) {
+    if (!(params->k_s >= QUADROTOR_F32_MIN_GAIN && params->k_s <= QUADROTOR_F32_MAX_RATE)) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= QUADROTOR_F32_MOST_DRIFT)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

@@ -1,10 +1,102 @@
 /*
- * sl2_f32: gsmc on SL2, law skew (vee(g - g^-1)/2), float precision.
+ * sl2_f32: gsmc on SL2, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r, nu_r)',
+         'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'J s^2',
+         'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False, 'holder':
+         'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1],
+         ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
+         'inertia', 'shape': (6,)}, {'name': 'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding
+         rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'lambda', 'entries':
+         [['rate_gain', 0]], 'argument': 'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size':
+         1, 'unit': '1/s', 'doc': 'reaching rate', 'source': '', 'is_scalar': True, 'holder':
+         'params', 'member': 'k_s', 'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape':
+         (1,)}, {'name': 'nu', 'size': 3, 'unit': '1/s', 'doc': 'body velocity', 'source': '',
+         'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1',
+         1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit':
+         '1/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar': False,
+         'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2',
+         2]], 'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': '1/s^2',
+         'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member':
+         'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
+         'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1
+         g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
+         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape':
+         (4,)}], 'steps': [{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1:
+         reference to body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5',
+         'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', 'g_e_3*g_e_3'],
+         ['to_body_1', '-g_e_1*g_e_1'], ['to_body_2', '2.0F*g_e_1*g_e_3'], ['to_body_3',
+         '-g_e_2*g_e_2'], ['to_body_4', 'g_e_0*g_e_0'], ['to_body_5', '-2.0F*g_e_0*g_e_2'],
+         ['to_body_6', 'g_e_2*g_e_3'], ['to_body_7', '-g_e_0*g_e_1'], ['to_body_8', 'g_e_0*g_e_3 +
+         g_e_1*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3, 'unit': '1/s', 'doc': 'reference
+         velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 +
+         nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 +
+         nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']],
+         'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': '1/s', 'doc': 'velocity error', 'source':
+         'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0',
+         'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'],
+         ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit': '1/s^2',
+         'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
+         'nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - 2.0F*eta_0*nu_e_2 +
+         2.0F*eta_2*nu_e_0'], ['eta_dot_1', 'nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+         nu_r_dot_2*to_body_5 - 2.0F*eta_2*nu_e_1 + 2.0F*eta_1*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1
+         + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']],
+         'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': '1', 'doc': 'kinematic law, vee(g -
+         g^-1)/2', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_u_2'], 'lines': [['nu_u_2', '0.5F*(g_e_0 - g_e_3)']], 'cases': []}, {'name':
+         'nu_u_dot', 'size': 3, 'unit': '1/s', 'doc': 'exact rate of nu_u', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
+         'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'g_e_0*nu_e_0 - g_e_1*nu_e_2'], ['nu_u_dot_1',
+         'g_e_2*nu_e_2 + g_e_3*nu_e_1'], ['nu_u_dot_2', '0.5F*(g_e_0*nu_e_2 + g_e_1*nu_e_1 +
+         g_e_3*nu_e_2 - g_e_2*nu_e_0)']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': '1/s',
+         'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0', 'g_e_1*rate_gain'],
+         ['drive_1', 'g_e_2*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name':
+         's', 'size': 3, 'unit': '1/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines':
+         [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']],
+         'cases': []}, {'name': 'wanted', 'size': 3, 'unit': '1/s^2', 'doc': 'acceleration asked
+         for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0',
+         'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
+         reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'],
+         ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name':
+         'turning', 'size': 3, 'unit': '1/s', 'doc': 'lambda nu_u - eta', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2'],
+         'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2',
+         'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'J s', 'doc': 'I
+         nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
+         'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 +
+         inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'],
+         ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']], 'cases': []}, {'name':
+         'force', 'size': 3, 'unit': 'J', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'],
+         'lines': [['force_0', 'inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 -
+         momentum_2*turning_1 + 2.0F*momentum_0*turning_2'], ['force_1', 'inertia_1*wanted_0 +
+         inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_2*turning_0 -
+         2.0F*momentum_1*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_4*wanted_1 +
+         inertia_5*wanted_2 - 2.0F*momentum_0*turning_0 + 2.0F*momentum_1*turning_1']], 'cases':
+         []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'J', 'doc': 'control force',
+         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries':
+         ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit': '1/s', 'doc': 'sliding
+         variable', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries':
+         ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit': '1', 'doc': 'kinematic law',
+         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries':
+         ['g_e_1', 'g_e_2', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': '1/s', 'doc': 'its
+         exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot',
+         'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
+         'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
+         True, 'holder': '', 'member': 'clearance', 'entries': ['1.0F']}], 'operations': 148,
+         'temporaries': 40, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
+         'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
+         'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float
+         precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "sl2_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -17,12 +109,17 @@
 const sl2_f32_params sl2_f32_defaults = {
     {2.0F, 0.3F, 0.1F, 1.5F, -0.2F, 2.5F},
     0.5F, /* lambda */
-    1.0F /* k_s */
+    1.0F, /* k_s */
+    0.0001F /* max_drift */
 };
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void sl2_f32_law(const sl2_f32_params *params, const sl2_f32_state *state,
-        const sl2_f32_reference *reference, sl2_f32_command *command, float *clearance)
+static const sl2_f32_command sl2_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float sl2_f32_law(const sl2_f32_params *params, const sl2_f32_state *state,
+        const sl2_f32_reference *reference, sl2_f32_command *command, const float g_e_0,
+        const float g_e_1, const float g_e_2, const float g_e_3)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -30,19 +127,10 @@ static void sl2_f32_law(const sl2_f32_params *params, const sl2_f32_state *state
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_3 - g_2*g_r_1;
-    const float g_e_1 = g_1*g_r_3 - g_3*g_r_1;
-    const float g_e_2 = g_2*g_r_0 - g_0*g_r_2;
-    const float g_e_3 = g_3*g_r_0 - g_1*g_r_2;
 
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
     const float to_body_0 = g_e_3*g_e_3;
@@ -127,22 +215,7 @@ static void sl2_f32_law(const sl2_f32_params *params, const sl2_f32_state *state
     command->nu_u_dot[0] = nu_u_dot_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = 1.0F;
-}
-
-/* distance of stored numbers from the group. */
-static void sl2_f32_residual(const float g[4], float residual[2])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = 1.0F + g_1*g_2 - g_0*g_3;
-    const float off_1 = g_0*g_3 - 1.0F - g_1*g_2;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
+    return 1.0F;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -153,7 +226,7 @@ static void sl2_f32_definiteness(const sl2_f32_params *params, float pivot[3])
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [J s^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [J s^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -170,7 +243,7 @@ static void sl2_f32_definiteness(const sl2_f32_params *params, float pivot[3])
     /* pivot_1: pivot of I [J s^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [J s^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [J s^2] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -190,48 +263,22 @@ static void sl2_f32_definiteness(const sl2_f32_params *params, float pivot[3])
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static sl2_f32_status sl2_f32_worse(const sl2_f32_status a,
-        const sl2_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static sl2_f32_status sl2_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    sl2_f32_status worst = SL2_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = SL2_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = sl2_f32_worse(worst, SL2_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static sl2_f32_status sl2_f32_on_group(const float g[4])
-{
-    float residual[2];
-    int i;
-    sl2_f32_residual(g, residual);
-    for (i = 0; i < 2; i++) {
-        if (!(fabsf(residual[i]) <= SL2_F32_MAX_DRIFT)) {
-            return SL2_F32_NOT_ON_GROUP;
-        }
-    }
-    return SL2_F32_OK;
-}
-
 void sl2_f32_tracking(const sl2_f32_params *params, const sl2_f32_state *state,
         const sl2_f32_reference *reference, sl2_f32_command *command)
 {
-    float clearance;
-    sl2_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_3 - g_2*g_r_1;
+    const float g_e_1 = g_1*g_r_3 - g_3*g_r_1;
+    const float g_e_2 = g_2*g_r_0 - g_0*g_r_2;
+    const float g_e_3 = g_3*g_r_0 - g_1*g_r_2;
+
+    /* -- end -- */
+    (void)sl2_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
 }
 
 void sl2_f32_reaching(const sl2_f32_params *params, const sl2_f32_state *state,
@@ -353,10 +400,34 @@ void sl2_f32_plant(const sl2_f32_params *params, const sl2_f32_state *state, con
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static sl2_f32_status sl2_f32_judge(const sl2_f32_state *state, const sl2_f32_reference *reference)
+/* The worse of two findings. */
+static sl2_f32_status sl2_f32_worse(const sl2_f32_status a,
+        const sl2_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static sl2_f32_status sl2_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     sl2_f32_status worst = SL2_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = SL2_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = sl2_f32_worse(worst, SL2_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static sl2_f32_status sl2_f32_refuse(const sl2_f32_state *state, const sl2_f32_reference *reference,
+        const sl2_f32_status found, sl2_f32_command *command)
+{
+    sl2_f32_status worst = found;
     worst = sl2_f32_worse(worst,
             sl2_f32_inspect(state->g, 4, SL2_F32_MAX_INPUT));
     worst = sl2_f32_worse(worst,
@@ -367,59 +438,101 @@ static sl2_f32_status sl2_f32_judge(const sl2_f32_state *state, const sl2_f32_re
             sl2_f32_inspect(reference->nu, 3, SL2_F32_MAX_INPUT));
     worst = sl2_f32_worse(worst,
             sl2_f32_inspect(reference->nu_dot, 3, SL2_F32_MAX_INPUT));
-    if (worst == SL2_F32_OK) {
-        worst = sl2_f32_on_group(state->g);
-    }
-    if (worst == SL2_F32_OK) {
-        worst = sl2_f32_on_group(reference->g);
-    }
+    *command = sl2_f32_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static sl2_f32_status sl2_f32_verdict(const sl2_f32_command *command,
-        const float clearance)
+static sl2_f32_status sl2_f32_verdict(const float clearance, sl2_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return SL2_F32_NONFINITE_INPUT;
-            }
-        }
+    sl2_f32_status status = SL2_F32_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        *command = sl2_f32_nothing;
+        status = SL2_F32_NONFINITE_INPUT;
     }
-    return clearance < SL2_F32_NEAR_CUT ? SL2_F32_NEAR_CUT_LOCUS : SL2_F32_OK;
+    return clearance < SL2_F32_NEAR_CUT ? sl2_f32_worse(status, SL2_F32_NEAR_CUT_LOCUS) : status;
 }
 
 sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state *state,
         const sl2_f32_reference *reference, sl2_f32_command *command)
 {
-    static const sl2_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    sl2_f32_status status = sl2_f32_judge(state, reference);
-    if (status == SL2_F32_OK) {
-        float clearance;
-        sl2_f32_law(params, state, reference, command, &clearance);
-        status = sl2_f32_verdict(command, clearance);
+    float clearance;
+#ifdef SL2_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return SL2_F32_BAD_PARAMS;
     }
-    if (status >= SL2_F32_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_3 - g_2*g_r_1;
+    const float g_e_1 = g_1*g_r_3 - g_3*g_r_1;
+    const float g_e_2 = g_2*g_r_0 - g_0*g_r_2;
+    const float g_e_3 = g_3*g_r_0 - g_1*g_r_2;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= SL2_F32_MAX_REACH && fabsf(g_e_1) <= SL2_F32_MAX_REACH
+            && fabsf(g_e_2) <= SL2_F32_MAX_REACH && fabsf(g_e_3) <= SL2_F32_MAX_REACH
+            && fabsf(state->g[0]) <= SL2_F32_MAX_INPUT && fabsf(state->g[1]) <= SL2_F32_MAX_INPUT
+            && fabsf(state->g[2]) <= SL2_F32_MAX_INPUT && fabsf(state->g[3]) <= SL2_F32_MAX_INPUT
+            && fabsf(state->nu[0]) <= SL2_F32_MAX_INPUT && fabsf(state->nu[1]) <= SL2_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->g[0]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->g[1]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->g[2]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->g[3]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= SL2_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= SL2_F32_MAX_INPUT)) {
+        const int is_near = fabsf(g_e_0) <= SL2_F32_MAX_REACH && fabsf(g_e_1) <= SL2_F32_MAX_REACH
+                && fabsf(g_e_2) <= SL2_F32_MAX_REACH && fabsf(g_e_3) <= SL2_F32_MAX_REACH;
+        return sl2_f32_refuse(state, reference,
+                is_near ? SL2_F32_NOT_ON_GROUP : SL2_F32_OUT_OF_RANGE, command);
     }
-    return status;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = 1.0F + g_e_1*g_e_2 - g_e_0*g_e_3;
+    const float off_1 = g_e_0*g_e_3 - 1.0F - g_e_1*g_e_2;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0 + off_1*off_1;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return sl2_f32_refuse(state, reference, SL2_F32_NOT_ON_GROUP, command);
+    }
+    clearance = sl2_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+    return sl2_f32_verdict(clearance, command);
 }
 
 sl2_f32_status sl2_f32_check_params(const sl2_f32_params *params)
 {
+#ifdef SL2_CHECK_POINTERS
+    if (params == NULL) {
+        return SL2_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[3];
     int i;
     if (sl2_f32_inspect(params->inertia, 6, SL2_F32_MAX_PARAM) != SL2_F32_OK) {
         return SL2_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= SL2_F32_MAX_PARAM)) {
+    if (!(params->lambda >= SL2_F32_MIN_GAIN && params->lambda <= SL2_F32_MAX_RATE)) {
         return SL2_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= SL2_F32_MAX_PARAM)) {
+    if (!(params->k_s >= SL2_F32_MIN_GAIN && params->k_s <= SL2_F32_MAX_RATE)) {
+        return SL2_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= SL2_F32_MOST_DRIFT)) {
         return SL2_F32_BAD_PARAMS;
     }
     sl2_f32_definiteness(params, pivot);

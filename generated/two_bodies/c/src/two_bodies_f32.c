@@ -1,11 +1,330 @@
 /*
- * two_bodies_f32: gsmc on SE3 x SO3, law log (the logarithm and the rotation vector), float
-         precision.
+ * two_bodies_f32: gsmc on SE3 x SO3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to
+         (g_r, nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 45, 'unit':
+         'kg m^2, kg m, kg', 'doc': 'inertia, upper triangle, row by row', 'source': '',
+         'is_scalar': False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0],
+         ['inertia_2', 2], ['inertia_4', 4], ['inertia_9', 9], ['inertia_11', 11], ['inertia_17',
+         17], ['inertia_24', 24], ['inertia_30', 30], ['inertia_35', 35], ['inertia_39', 39],
+         ['inertia_42', 42], ['inertia_44', 44]], 'argument': 'inertia', 'shape': (45,)}, {'name':
+         'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
+         True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
+         'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
+         'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
+         'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size':
+         9, 'unit': 'rad/s, m/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False,
+         'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2],
+         ['nu_3', 3], ['nu_4', 4], ['nu_5', 5], ['nu_6', 6], ['nu_7', 7], ['nu_8', 8]], 'argument':
+         'nu', 'shape': (9,)}, {'name': 'nu_r', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'reference
+         velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference',
+         'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2], ['nu_r_3', 3],
+         ['nu_r_4', 4], ['nu_r_5', 5], ['nu_r_6', 6], ['nu_r_7', 7], ['nu_r_8', 8]], 'argument':
+         'nu_r', 'shape': (9,)}, {'name': 'nu_r_dot', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc':
+         'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot',
+         'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2], ['nu_r_dot_3', 3],
+         ['nu_r_dot_4', 4], ['nu_r_dot_5', 5], ['nu_r_dot_6', 6], ['nu_r_dot_7', 7], ['nu_r_dot_8',
+         8]], 'argument': 'nu_r_dot', 'shape': (9,)}, {'name': 'g_e', 'size': 25, 'unit': '1',
+         'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '',
+         'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3],
+         ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8], ['g_e_9', 9],
+         ['g_e_10', 10], ['g_e_11', 11], ['g_e_16', 16], ['g_e_17', 17], ['g_e_18', 18], ['g_e_19',
+         19], ['g_e_20', 20], ['g_e_21', 21], ['g_e_22', 22], ['g_e_23', 23], ['g_e_24', 24]],
+         'argument': 'g_e', 'shape': (25,)}], 'steps': [{'name': 'eta_arm_0_a', 'size': 3, 'unit':
+         'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['eta_arm_0_a_0', 'eta_arm_0_a_1', 'eta_arm_0_a_2'], 'lines':
+         [['eta_arm_0_a_0', 'nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2'], ['eta_arm_0_a_1', 'nu_r_4 +
+         g_e_3*nu_r_2 - g_e_11*nu_r_0'], ['eta_arm_0_a_2', 'nu_r_5 + g_e_7*nu_r_0 - g_e_3*nu_r_1']],
+         'cases': []}, {'name': 'eta', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'reference velocity
+         in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['eta_0', 'eta_1', 'eta_2', 'eta_3', 'eta_4', 'eta_5', 'eta_6', 'eta_7',
+         'eta_8'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_4*nu_r_1 + g_e_8*nu_r_2'], ['eta_1',
+         'g_e_1*nu_r_0 + g_e_5*nu_r_1 + g_e_9*nu_r_2'], ['eta_2', 'g_e_10*nu_r_2 + g_e_2*nu_r_0 +
+         g_e_6*nu_r_1'], ['eta_3', 'eta_arm_0_a_0*g_e_0 + eta_arm_0_a_1*g_e_4 +
+         eta_arm_0_a_2*g_e_8'], ['eta_4', 'eta_arm_0_a_0*g_e_1 + eta_arm_0_a_1*g_e_5 +
+         eta_arm_0_a_2*g_e_9'], ['eta_5', 'eta_arm_0_a_0*g_e_2 + eta_arm_0_a_1*g_e_6 +
+         eta_arm_0_a_2*g_e_10'], ['eta_6', 'g_e_16*nu_r_6 + g_e_19*nu_r_7 + g_e_22*nu_r_8'],
+         ['eta_7', 'g_e_17*nu_r_6 + g_e_20*nu_r_7 + g_e_23*nu_r_8'], ['eta_8', 'g_e_18*nu_r_6 +
+         g_e_21*nu_r_7 + g_e_24*nu_r_8']], 'cases': []}, {'name': 'nu_e', 'size': 9, 'unit': 'rad/s,
+         m/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2', 'nu_e_3', 'nu_e_4', 'nu_e_5',
+         'nu_e_6', 'nu_e_7', 'nu_e_8'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
+         eta_1'], ['nu_e_2', 'nu_2 - eta_2'], ['nu_e_3', 'nu_3 - eta_3'], ['nu_e_4', 'nu_4 -
+         eta_4'], ['nu_e_5', 'nu_5 - eta_5'], ['nu_e_6', 'nu_6 - eta_6'], ['nu_e_7', 'nu_7 -
+         eta_7'], ['nu_e_8', 'nu_8 - eta_8']], 'cases': []}, {'name': 'eta_dot_arm_0_a', 'size': 3,
+         'unit': 'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['eta_dot_arm_0_a_0', 'eta_dot_arm_0_a_1', 'eta_dot_arm_0_a_2'],
+         'lines': [['eta_dot_arm_0_a_0', 'nu_r_dot_3 + g_e_11*nu_r_dot_1 - g_e_7*nu_r_dot_2'],
+         ['eta_dot_arm_0_a_1', 'nu_r_dot_4 + g_e_3*nu_r_dot_2 - g_e_11*nu_r_dot_0'],
+         ['eta_dot_arm_0_a_2', 'nu_r_dot_5 + g_e_7*nu_r_dot_0 - g_e_3*nu_r_dot_1']], 'cases': []},
+         {'name': 'eta_dot', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc': 'exact rate of eta',
+         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0',
+         'eta_dot_1', 'eta_dot_2', 'eta_dot_3', 'eta_dot_4', 'eta_dot_5', 'eta_dot_6', 'eta_dot_7',
+         'eta_dot_8'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_4*nu_r_dot_1 +
+         g_e_8*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 +
+         g_e_5*nu_r_dot_1 + g_e_9*nu_r_dot_2 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 +
+         g_e_10*nu_r_dot_2 + g_e_2*nu_r_dot_0 + g_e_6*nu_r_dot_1 - eta_1*nu_e_0'], ['eta_dot_3',
+         'eta_1*nu_e_5 + eta_4*nu_e_2 + eta_dot_arm_0_a_0*g_e_0 + eta_dot_arm_0_a_1*g_e_4 +
+         eta_dot_arm_0_a_2*g_e_8 - eta_2*nu_e_4 - eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 +
+         eta_5*nu_e_0 + eta_dot_arm_0_a_0*g_e_1 + eta_dot_arm_0_a_1*g_e_5 + eta_dot_arm_0_a_2*g_e_9
+         - eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5', 'eta_0*nu_e_4 + eta_3*nu_e_1 +
+         eta_dot_arm_0_a_0*g_e_2 + eta_dot_arm_0_a_1*g_e_6 + eta_dot_arm_0_a_2*g_e_10 - eta_1*nu_e_3
+         - eta_4*nu_e_0'], ['eta_dot_6', 'eta_7*nu_e_8 + g_e_16*nu_r_dot_6 + g_e_19*nu_r_dot_7 +
+         g_e_22*nu_r_dot_8 - eta_8*nu_e_7'], ['eta_dot_7', 'eta_8*nu_e_6 + g_e_17*nu_r_dot_6 +
+         g_e_20*nu_r_dot_7 + g_e_23*nu_r_dot_8 - eta_6*nu_e_8'], ['eta_dot_8', 'eta_6*nu_e_7 +
+         g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 - eta_7*nu_e_6']], 'cases': []},
+         {'name': 'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source':
+         'polar factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['B_a_0', 'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5', 'B_a_6', 'B_a_7', 'B_a_8',
+         'B_a_9'], 'lines': [['B_a_0', '1.0F + g_e_0 - g_e_10 - g_e_5'], ['B_a_1', 'g_e_1 + g_e_4'],
+         ['B_a_2', 'g_e_2 + g_e_8'], ['B_a_3', 'g_e_9 - g_e_6'], ['B_a_4', '1.0F + g_e_5 - g_e_0 -
+         g_e_10'], ['B_a_5', 'g_e_6 + g_e_9'], ['B_a_6', 'g_e_2 - g_e_8'], ['B_a_7', '1.0F + g_e_10
+         - g_e_0 - g_e_5'], ['B_a_8', 'g_e_4 - g_e_1'], ['B_a_9', '1.0F + g_e_0 + g_e_10 + g_e_5']],
+         'cases': []}, {'name': 'column_a', 'size': 4, 'unit': '1', 'doc': 'a column of B that
+         cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['column_a_0', 'column_a_1', 'column_a_2', 'column_a_3'], 'lines': [], 'cases':
+         [{'condition': 'B_a_9 >= 1.0F', 'lines': [['column_a_0', 'B_a_3'], ['column_a_1', 'B_a_6'],
+         ['column_a_2', 'B_a_8'], ['column_a_3', 'B_a_9']]}, {'condition': '(B_a_0 >= B_a_4) &&
+         (B_a_0 >= B_a_7)', 'lines': [['column_a_0', 'B_a_0'], ['column_a_1', 'B_a_1'],
+         ['column_a_2', 'B_a_2'], ['column_a_3', 'B_a_3']]}, {'condition': 'B_a_4 >= B_a_7',
+         'lines': [['column_a_0', 'B_a_1'], ['column_a_1', 'B_a_4'], ['column_a_2', 'B_a_5'],
+         ['column_a_3', 'B_a_6']]}, {'condition': '', 'lines': [['column_a_0', 'B_a_2'],
+         ['column_a_1', 'B_a_5'], ['column_a_2', 'B_a_7'], ['column_a_3', 'B_a_8']]}]}, {'name':
+         'power_a', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_a_0', 'power_a_1',
+         'power_a_2', 'power_a_3'], 'lines': [['power_a_0', 'B_a_0*column_a_0 + B_a_1*column_a_1 +
+         B_a_2*column_a_2 + B_a_3*column_a_3'], ['power_a_1', 'B_a_1*column_a_0 + B_a_4*column_a_1 +
+         B_a_5*column_a_2 + B_a_6*column_a_3'], ['power_a_2', 'B_a_2*column_a_0 + B_a_5*column_a_1 +
+         B_a_7*column_a_2 + B_a_8*column_a_3'], ['power_a_3', 'B_a_3*column_a_0 + B_a_6*column_a_1 +
+         B_a_8*column_a_2 + B_a_9*column_a_3']], 'cases': []}, {'name': 'norm_square_a', 'size': 1,
+         'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm_square_a'], 'lines': [['norm_square_a', 'power_a_0*power_a_0
+         + power_a_1*power_a_1 + power_a_2*power_a_2 + power_a_3*power_a_3']], 'cases': []},
+         {'name': 'norm_bounded_a', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded_a'],
+         'lines': [], 'cases': [{'condition': 'norm_square_a < 49.0F', 'lines': [['norm_bounded_a',
+         '49.0F']]}, {'condition': '', 'lines': [['norm_bounded_a', 'norm_square_a']]}]}, {'name':
+         'norm_a', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['norm_a'], 'lines': [['norm_a',
+         'sqrtf(norm_bounded_a)']], 'cases': []}, {'name': 'scale_a', 'size': 1, 'unit': '1', 'doc':
+         'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['scale_a'], 'lines': [], 'cases': [{'condition':
+         'power_a_3 < 0.0F', 'lines': [['scale_a', '-1.0F/norm_a']]}, {'condition': '', 'lines':
+         [['scale_a', '1.0F/norm_a']]}]}, {'name': 'cosine_a', 'size': 1, 'unit': '1', 'doc': 'cos
+         of half the error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['cosine_a'], 'lines': [['cosine_a', 'power_a_3*scale_a']], 'cases': []},
+         {'name': 'w_a', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['w_a'], 'lines': [], 'cases':
+         [{'condition': 'cosine_a > 1.0F', 'lines': [['w_a', '1.0F']]}, {'condition': '', 'lines':
+         [['w_a', 'cosine_a']]}]}, {'name': 'v_a', 'size': 3, 'unit': '1', 'doc': 'sin of half the
+         error angle times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['v_a_0', 'v_a_1', 'v_a_2'], 'lines': [['v_a_0', 'power_a_0*scale_a'], ['v_a_1',
+         'power_a_1*scale_a'], ['v_a_2', 'power_a_2*scale_a']], 'cases': []}, {'name': 'k_a',
+         'size': 1, 'unit': '1', 'doc': 'half angle over its sine', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['k_a'], 'lines': [['k_a', 'two_bodies_f32_k(w_a)']],
+         'cases': []}, {'name': 'h_a', 'size': 1, 'unit': '1', 'doc': '-dk/dw', 'source': '',
+         'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_a'], 'lines': [['h_a',
+         'two_bodies_f32_h(w_a)']], 'cases': []}, {'name': 'phi_a', 'size': 3, 'unit': 'rad', 'doc':
+         'rotation vector of the error', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'], 'lines': [['phi_a_0', '2.0F*k_a*v_a_0'],
+         ['phi_a_1', '2.0F*k_a*v_a_1'], ['phi_a_2', '2.0F*k_a*v_a_2']], 'cases': []}, {'name':
+         'half_a', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['half_a'], 'lines': [['half_a', '0.5F/k_a']],
+         'cases': []}, {'name': 'swing_p_a', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['swing_p_a_0', 'swing_p_a_1',
+         'swing_p_a_2'], 'lines': [['swing_p_a_0', 'g_e_11*v_a_1 - g_e_7*v_a_2'], ['swing_p_a_1',
+         'g_e_3*v_a_2 - g_e_11*v_a_0'], ['swing_p_a_2', 'g_e_7*v_a_0 - g_e_3*v_a_1']], 'cases': []},
+         {'name': 'sway_p_a', 'size': 3, 'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['sway_p_a_0', 'sway_p_a_1', 'sway_p_a_2'],
+         'lines': [['sway_p_a_0', 'swing_p_a_2*v_a_1 - swing_p_a_1*v_a_2'], ['sway_p_a_1',
+         'swing_p_a_0*v_a_2 - swing_p_a_2*v_a_0'], ['sway_p_a_2', 'swing_p_a_1*v_a_0 -
+         swing_p_a_0*v_a_1']], 'cases': []}, {'name': 'rho_p_a', 'size': 3, 'unit': 'm', 'doc': 'p -
+         k Y p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['rho_p_a_0', 'rho_p_a_1', 'rho_p_a_2'], 'lines': [['rho_p_a_0', 'g_e_3 + h_a*sway_p_a_0 -
+         k_a*swing_p_a_0'], ['rho_p_a_1', 'g_e_7 + h_a*sway_p_a_1 - k_a*swing_p_a_1'], ['rho_p_a_2',
+         'g_e_11 + h_a*sway_p_a_2 - k_a*swing_p_a_2']], 'cases': []}, {'name': 'y_p_a', 'size': 3,
+         'unit': 'm', 'doc': 'rho/(2 k)', 'source': '', 'is_scalar': False, 'holder': '', 'member':
+         '', 'names': ['y_p_a_0', 'y_p_a_1', 'y_p_a_2'], 'lines': [['y_p_a_0', 'half_a*rho_p_a_0'],
+         ['y_p_a_1', 'half_a*rho_p_a_1'], ['y_p_a_2', 'half_a*rho_p_a_2']], 'cases': []}, {'name':
+         'B_b', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar
+         factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['B_b_0', 'B_b_1', 'B_b_2', 'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7', 'B_b_8',
+         'B_b_9'], 'lines': [['B_b_0', '1.0F + g_e_16 - g_e_20 - g_e_24'], ['B_b_1', 'g_e_17 +
+         g_e_19'], ['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 - g_e_21'], ['B_b_4', '1.0F +
+         g_e_20 - g_e_16 - g_e_24'], ['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6', 'g_e_18 - g_e_22'],
+         ['B_b_7', '1.0F + g_e_24 - g_e_16 - g_e_20'], ['B_b_8', 'g_e_19 - g_e_17'], ['B_b_9', '1.0F
+         + g_e_16 + g_e_20 + g_e_24']], 'cases': []}, {'name': 'column_b', 'size': 4, 'unit': '1',
+         'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '',
+         'member': '', 'names': ['column_b_0', 'column_b_1', 'column_b_2', 'column_b_3'], 'lines':
+         [], 'cases': [{'condition': 'B_b_9 >= 1.0F', 'lines': [['column_b_0', 'B_b_3'],
+         ['column_b_1', 'B_b_6'], ['column_b_2', 'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition':
+         '(B_b_0 >= B_b_4) && (B_b_0 >= B_b_7)', 'lines': [['column_b_0', 'B_b_0'], ['column_b_1',
+         'B_b_1'], ['column_b_2', 'B_b_2'], ['column_b_3', 'B_b_3']]}, {'condition': 'B_b_4 >=
+         B_b_7', 'lines': [['column_b_0', 'B_b_1'], ['column_b_1', 'B_b_4'], ['column_b_2',
+         'B_b_5'], ['column_b_3', 'B_b_6']]}, {'condition': '', 'lines': [['column_b_0', 'B_b_2'],
+         ['column_b_1', 'B_b_5'], ['column_b_2', 'B_b_7'], ['column_b_3', 'B_b_8']]}]}, {'name':
+         'power_b', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_b_0', 'power_b_1',
+         'power_b_2', 'power_b_3'], 'lines': [['power_b_0', 'B_b_0*column_b_0 + B_b_1*column_b_1 +
+         B_b_2*column_b_2 + B_b_3*column_b_3'], ['power_b_1', 'B_b_1*column_b_0 + B_b_4*column_b_1 +
+         B_b_5*column_b_2 + B_b_6*column_b_3'], ['power_b_2', 'B_b_2*column_b_0 + B_b_5*column_b_1 +
+         B_b_7*column_b_2 + B_b_8*column_b_3'], ['power_b_3', 'B_b_3*column_b_0 + B_b_6*column_b_1 +
+         B_b_8*column_b_2 + B_b_9*column_b_3']], 'cases': []}, {'name': 'norm_square_b', 'size': 1,
+         'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['norm_square_b'], 'lines': [['norm_square_b', 'power_b_0*power_b_0
+         + power_b_1*power_b_1 + power_b_2*power_b_2 + power_b_3*power_b_3']], 'cases': []},
+         {'name': 'norm_bounded_b', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded_b'],
+         'lines': [], 'cases': [{'condition': 'norm_square_b < 49.0F', 'lines': [['norm_bounded_b',
+         '49.0F']]}, {'condition': '', 'lines': [['norm_bounded_b', 'norm_square_b']]}]}, {'name':
+         'norm_b', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['norm_b'], 'lines': [['norm_b',
+         'sqrtf(norm_bounded_b)']], 'cases': []}, {'name': 'scale_b', 'size': 1, 'unit': '1', 'doc':
+         'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['scale_b'], 'lines': [], 'cases': [{'condition':
+         'power_b_3 < 0.0F', 'lines': [['scale_b', '-1.0F/norm_b']]}, {'condition': '', 'lines':
+         [['scale_b', '1.0F/norm_b']]}]}, {'name': 'w_b', 'size': 1, 'unit': '1', 'doc': 'cos of
+         half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
+         'names': ['w_b'], 'lines': [['w_b', 'power_b_3*scale_b']], 'cases': []}, {'name': 'v_b',
+         'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_b_0', 'v_b_1', 'v_b_2'],
+         'lines': [['v_b_0', 'power_b_0*scale_b'], ['v_b_1', 'power_b_1*scale_b'], ['v_b_2',
+         'power_b_2*scale_b']], 'cases': []}, {'name': 'k_b', 'size': 1, 'unit': '1', 'doc': 'half
+         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['k_b'], 'lines': [['k_b', 'two_bodies_f32_k(w_b)']], 'cases': []}, {'name':
+         'sine_square_b', 'size': 1, 'unit': '1', 'doc': '1 - w^2, below zero by an ulp at most',
+         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine_square_b'],
+         'lines': [['sine_square_b', '(1.0F + w_b)*(1.0F - w_b)']], 'cases': []}, {'name': 'h_b',
+         'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True,
+         'holder': '', 'member': '', 'names': ['h_b'], 'lines': [['h_b', '(1.0F - k_b*w_b)/(1.0e-8F
+         + fabsf(sine_square_b))']], 'cases': []}, {'name': 'clearance_0', 'size': 1, 'unit': '1',
+         'doc': 'the smaller clearance', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['clearance_0'], 'lines': [], 'cases': [{'condition': 'w_a <= w_b', 'lines':
+         [['clearance_0', 'w_a']]}, {'condition': '', 'lines': [['clearance_0', 'w_b']]}]}, {'name':
+         'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law, the logarithm and the rotation
+         vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['nu_u_6', 'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6', '2.0F*k_b*v_b_0'], ['nu_u_7',
+         '2.0F*k_b*v_b_1'], ['nu_u_8', '2.0F*k_b*v_b_2']], 'cases': []}, {'name': 'turn_a', 'size':
+         6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False,
+         'holder': '', 'member': '', 'names': ['turn_a_0', 'turn_a_1', 'turn_a_2', 'turn_a_3',
+         'turn_a_4', 'turn_a_5'], 'lines': [['turn_a_0', 'nu_e_2*v_a_1 - nu_e_1*v_a_2'],
+         ['turn_a_1', 'nu_e_0*v_a_2 - nu_e_2*v_a_0'], ['turn_a_2', 'nu_e_1*v_a_0 - nu_e_0*v_a_1'],
+         ['turn_a_3', 'nu_e_2*y_p_a_1 + nu_e_5*v_a_1 - nu_e_1*y_p_a_2 - nu_e_4*v_a_2'], ['turn_a_4',
+         'nu_e_0*y_p_a_2 + nu_e_3*v_a_2 - nu_e_2*y_p_a_0 - nu_e_5*v_a_0'], ['turn_a_5',
+         'nu_e_1*y_p_a_0 + nu_e_4*v_a_0 - nu_e_0*y_p_a_1 - nu_e_3*v_a_1']], 'cases': []}, {'name':
+         'bend_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['bend_a_0', 'bend_a_1', 'bend_a_2',
+         'bend_a_3', 'bend_a_4', 'bend_a_5'], 'lines': [['bend_a_0', 'turn_a_2*v_a_1 -
+         turn_a_1*v_a_2'], ['bend_a_1', 'turn_a_0*v_a_2 - turn_a_2*v_a_0'], ['bend_a_2',
+         'turn_a_1*v_a_0 - turn_a_0*v_a_1'], ['bend_a_3', 'turn_a_2*y_p_a_1 + turn_a_5*v_a_1 -
+         turn_a_1*y_p_a_2 - turn_a_4*v_a_2'], ['bend_a_4', 'turn_a_0*y_p_a_2 + turn_a_3*v_a_2 -
+         turn_a_2*y_p_a_0 - turn_a_5*v_a_0'], ['bend_a_5', 'turn_a_1*y_p_a_0 + turn_a_4*v_a_0 -
+         turn_a_0*y_p_a_1 - turn_a_3*v_a_1']], 'cases': []}, {'name': 'm_a', 'size': 1, 'unit': '1',
+         'doc': '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
+         ['m_a'], 'lines': [['m_a', 'two_bodies_f32_m(w_a)']], 'cases': []}, {'name': 'along_p_a',
+         'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '',
+         'member': '', 'names': ['along_p_a'], 'lines': [['along_p_a', '-2.0F*(v_a_0*y_p_a_0 +
+         v_a_1*y_p_a_1 + v_a_2*y_p_a_2)']], 'cases': []}, {'name': 'tail_a', 'size': 6, 'unit':
+         'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e', 'source': '', 'is_scalar': False, 'holder':
+         '', 'member': '', 'names': ['tail_a_3', 'tail_a_4', 'tail_a_5'], 'lines': [['tail_a_3',
+         'along_p_a*bend_a_0'], ['tail_a_4', 'along_p_a*bend_a_1'], ['tail_a_5',
+         'along_p_a*bend_a_2']], 'cases': []}, {'name': 'twofold_a', 'size': 1, 'unit': '1', 'doc':
+         'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True, 'holder': '', 'member':
+         '', 'names': ['twofold_a'], 'lines': [['twofold_a', 'h_a*h_a - 0.5F*k_a*m_a']], 'cases':
+         []}, {'name': 'turn_b', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1',
+         'turn_b_2'], 'lines': [['turn_b_0', 'nu_e_8*v_b_1 - nu_e_7*v_b_2'], ['turn_b_1',
+         'nu_e_6*v_b_2 - nu_e_8*v_b_0'], ['turn_b_2', 'nu_e_7*v_b_0 - nu_e_6*v_b_1']], 'cases': []},
+         {'name': 'bend_b', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x nu_e)', 'source': '',
+         'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_b_0', 'bend_b_1',
+         'bend_b_2'], 'lines': [['bend_b_0', 'turn_b_2*v_b_1 - turn_b_1*v_b_2'], ['bend_b_1',
+         'turn_b_0*v_b_2 - turn_b_2*v_b_0'], ['bend_b_2', 'turn_b_1*v_b_0 - turn_b_0*v_b_1']],
+         'cases': []}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'exact rate of
+         nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5',
+         'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8'], 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_a_0*h_a
+         + k_a*turn_a_0'], ['nu_u_dot_1', 'nu_e_1 + bend_a_1*h_a + k_a*turn_a_1'], ['nu_u_dot_2',
+         'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'], ['nu_u_dot_3', 'nu_e_3 + bend_a_3*h_a +
+         k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 +
+         tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 +
+         tail_a_5*twofold_a'], ['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_b + k_b*turn_b_0'],
+         ['nu_u_dot_7', 'nu_e_7 + bend_b_1*h_b + k_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 +
+         bend_b_2*h_b + k_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit': 'rad/s,
+         m/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
+         'names': ['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5', 'drive_6',
+         'drive_7', 'drive_8'], 'lines': [['drive_0', 'phi_a_0*rate_gain'], ['drive_1',
+         'phi_a_1*rate_gain'], ['drive_2', 'phi_a_2*rate_gain'], ['drive_3', 'rate_gain*rho_p_a_0'],
+         ['drive_4', 'rate_gain*rho_p_a_1'], ['drive_5', 'rate_gain*rho_p_a_2'], ['drive_6',
+         'nu_u_6*rate_gain'], ['drive_7', 'nu_u_7*rate_gain'], ['drive_8', 'nu_u_8*rate_gain']],
+         'cases': []}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'sliding variable',
+         'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5', 's_6', 's_7', 's_8'], 'lines': [['s_0', 'drive_0
+         + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2'], ['s_3', 'drive_3 +
+         nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 + nu_e_5'], ['s_6', 'drive_6 +
+         nu_e_6'], ['s_7', 'drive_7 + nu_e_7'], ['s_8', 'drive_8 + nu_e_8']], 'cases': []}, {'name':
+         'wanted', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration asked for', 'source':
+         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1',
+         'wanted_2', 'wanted_3', 'wanted_4', 'wanted_5', 'wanted_6', 'wanted_7', 'wanted_8'],
+         'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1',
+         'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
+         nu_u_dot_2*rate_gain - reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain -
+         reach_gain*s_3'], ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'],
+         ['wanted_5', 'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5'], ['wanted_6', 'eta_dot_6
+         - nu_u_dot_6*rate_gain - reach_gain*s_6'], ['wanted_7', 'eta_dot_7 - nu_u_dot_7*rate_gain -
+         reach_gain*s_7'], ['wanted_8', 'eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8']],
+         'cases': []}, {'name': 'turning', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u -
+         eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0',
+         'turning_1', 'turning_2', 'turning_3', 'turning_4', 'turning_5', 'turning_6', 'turning_7',
+         'turning_8'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'],
+         ['turning_2', 'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4
+         - eta_4'], ['turning_5', 'drive_5 - eta_5'], ['turning_6', 'drive_6 - eta_6'],
+         ['turning_7', 'drive_7 - eta_7'], ['turning_8', 'drive_8 - eta_8']], 'cases': []}, {'name':
+         'momentum', 'size': 9, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar':
+         False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2',
+         'momentum_3', 'momentum_4', 'momentum_5', 'momentum_6', 'momentum_7', 'momentum_8'],
+         'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'],
+         ['momentum_1', 'inertia_11*nu_3 + inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 +
+         inertia_2*nu_0'], ['momentum_3', 'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4',
+         'inertia_30*nu_4 + inertia_4*nu_0'], ['momentum_5', 'inertia_35*nu_5'], ['momentum_6',
+         'inertia_39*nu_6'], ['momentum_7', 'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']],
+         'cases': []}, {'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force, I f_u',
+         'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
+         ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7',
+         'force_8'], 'lines': [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 +
+         inertia_4*wanted_4 + momentum_1*turning_2 + momentum_4*turning_5 - momentum_2*turning_1 -
+         momentum_5*turning_4'], ['force_1', 'inertia_11*wanted_3 + inertia_9*wanted_1 +
+         momentum_2*turning_0 + momentum_5*turning_3 - momentum_0*turning_2 -
+         momentum_3*turning_5'], ['force_2', 'inertia_17*wanted_2 + inertia_2*wanted_0 +
+         momentum_0*turning_1 + momentum_3*turning_4 - momentum_1*turning_0 -
+         momentum_4*turning_3'], ['force_3', 'inertia_11*wanted_1 + inertia_24*wanted_3 +
+         momentum_4*turning_2 - momentum_5*turning_1'], ['force_4', 'inertia_30*wanted_4 +
+         inertia_4*wanted_0 + momentum_5*turning_0 - momentum_3*turning_2'], ['force_5',
+         'inertia_35*wanted_5 + momentum_3*turning_1 - momentum_4*turning_0'], ['force_6',
+         'inertia_39*wanted_6 + momentum_7*turning_8 - momentum_8*turning_7'], ['force_7',
+         'inertia_42*wanted_7 + momentum_8*turning_6 - momentum_6*turning_8'], ['force_8',
+         'inertia_44*wanted_8 + momentum_6*turning_7 - momentum_7*turning_6']], 'cases': []}],
+         'outputs': [{'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force',
+         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries':
+         ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7',
+         'force_8']}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'sliding variable',
+         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0',
+         's_1', 's_2', 's_3', 's_4', 's_5', 's_6', 's_7', 's_8']}, {'name': 'nu_u', 'size': 9,
+         'unit': 'rad, m', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'nu_u', 'entries': ['phi_a_0', 'phi_a_1', 'phi_a_2', 'rho_p_a_0',
+         'rho_p_a_1', 'rho_p_a_2', 'nu_u_6', 'nu_u_7', 'nu_u_8']}, {'name': 'nu_u_dot', 'size': 9,
+         'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder':
+         'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2',
+         'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8']},
+         {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the
+         law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
+         ['clearance_0']}], 'operations': 625, 'temporaries': 198, 'symbol': 'tracking',
+         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
+         'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
+         'public_writes': ['command', 'clearance']}, float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "two_bodies_f32.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -21,7 +340,8 @@ const two_bodies_f32_params two_bodies_f32_defaults = {
      0.0F, 12.0F, 0.0F, 0.0F, 0.0F, 0.0F, 12.0F, 0.0F, 0.0F, 0.0F, 0.0421F, 0.0F, 0.0F, 0.0417F,
      0.0F, 0.0067F},
     0.08F, /* lambda */
-    0.3F /* k_s */
+    0.3F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -81,10 +401,18 @@ static inline float two_bodies_f32_m(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void two_bodies_f32_law(const two_bodies_f32_params *params,
+static const two_bodies_f32_command two_bodies_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float two_bodies_f32_law(const two_bodies_f32_params *params,
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
-        two_bodies_f32_command *command, float *clearance)
+        two_bodies_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
+        const float g_e_3, const float g_e_4, const float g_e_5, const float g_e_6,
+        const float g_e_7, const float g_e_8, const float g_e_9, const float g_e_10,
+        const float g_e_11, const float g_e_16, const float g_e_17, const float g_e_18,
+        const float g_e_19, const float g_e_20, const float g_e_21, const float g_e_22,
+        const float g_e_23, const float g_e_24)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
@@ -95,22 +423,9 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
-        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
-        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
-        g_24 = state->g[24];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2], nu_3 = state->nu[3],
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
-        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
-        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
-        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
-        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2],
         nu_r_3 = reference->nu[3], nu_r_4 = reference->nu[4], nu_r_5 = reference->nu[5],
         nu_r_6 = reference->nu[6], nu_r_7 = reference->nu[7], nu_r_8 = reference->nu[8];
@@ -119,34 +434,6 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         nu_r_dot_4 = reference->nu_dot[4], nu_r_dot_5 = reference->nu_dot[5],
         nu_r_dot_6 = reference->nu_dot[6], nu_r_dot_7 = reference->nu_dot[7],
         nu_r_dot_8 = reference->nu_dot[8];
-
-    /* gap_0_a: translation of g from g_r [m] */
-    const float gap_0_a_0 = g_3 - g_r_3;
-    const float gap_0_a_1 = g_7 - g_r_7;
-    const float gap_0_a_2 = g_11 - g_r_11;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
-    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
-    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
-    const float g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
-    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
-    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
-    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
-    const float g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
-    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
-    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
-    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
-    const float g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
-    const float g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
-    const float g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
-    const float g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
-    const float g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
-    const float g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
-    const float g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
-    const float g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
-    const float g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
-    const float g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
 
     /* eta_arm_0_a: velocity at p [m/s] */
     const float eta_arm_0_a_0 = nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2;
@@ -577,56 +864,7 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     command->nu_u_dot[6] = nu_u_dot_6;
     command->nu_u_dot[7] = nu_u_dot_7;
     command->nu_u_dot[8] = nu_u_dot_8;
-    *clearance = clearance_0;
-}
-
-/* distance of stored numbers from the group. */
-static void two_bodies_f32_residual(const float g[25], float residual[18])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
-        g_9 = g[9], g_10 = g[10], g_12 = g[12], g_13 = g[13], g_14 = g[14], g_15 = g[15],
-        g_16 = g[16], g_17 = g[17], g_18 = g[18], g_19 = g[19], g_20 = g[20], g_21 = g[21],
-        g_22 = g[22], g_23 = g[23], g_24 = g[24];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_4*g_4 + g_8*g_8;
-    const float off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const float off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const float off_3 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
-    const float off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const float off_5 = g_10*g_10 - 1.0F + g_2*g_2 + g_6*g_6;
-    const float off_6 = g_0*g_10*g_5 - 1.0F + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const float off_10 = g_15 - 1.0F;
-    const float off_11 = g_16*g_16 - 1.0F + g_19*g_19 + g_22*g_22;
-    const float off_12 = g_16*g_17 + g_19*g_20 + g_22*g_23;
-    const float off_13 = g_16*g_18 + g_19*g_21 + g_22*g_24;
-    const float off_14 = g_17*g_17 - 1.0F + g_20*g_20 + g_23*g_23;
-    const float off_15 = g_17*g_18 + g_20*g_21 + g_23*g_24;
-    const float off_16 = g_18*g_18 - 1.0F + g_21*g_21 + g_24*g_24;
-    const float off_17 = g_16*g_20*g_24 - 1.0F + g_17*g_21*g_22 + g_18*g_19*g_23 - g_16*g_21*g_23 -
-        g_17*g_19*g_24 - g_18*g_20*g_22;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
-    residual[11] = off_11;
-    residual[12] = off_12;
-    residual[13] = off_13;
-    residual[14] = off_14;
-    residual[15] = off_15;
-    residual[16] = off_16;
-    residual[17] = off_17;
+    return clearance_0;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -640,7 +878,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -654,7 +892,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     /* lower_40: I = L D L^T, entry of L [1] */
     const float lower_40 = inertia_4/divisor_0;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_1;
     if (inertia_9 > 0.0F) {
         divisor_1 = inertia_9;
@@ -668,7 +906,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_2;
     if (pivot_2 > 0.0F) {
         divisor_2 = pivot_2;
@@ -697,48 +935,56 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     pivot[8] = inertia_44;
 }
 
-/* The worse of two findings. */
-static two_bodies_f32_status two_bodies_f32_worse(const two_bodies_f32_status a,
-        const two_bodies_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static two_bodies_f32_status two_bodies_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    two_bodies_f32_status worst = TWO_BODIES_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = TWO_BODIES_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = two_bodies_f32_worse(worst, TWO_BODIES_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static two_bodies_f32_status two_bodies_f32_on_group(const float g[25])
-{
-    float residual[18];
-    int i;
-    two_bodies_f32_residual(g, residual);
-    for (i = 0; i < 18; i++) {
-        if (!(fabsf(residual[i]) <= TWO_BODIES_F32_MAX_DRIFT)) {
-            return TWO_BODIES_F32_NOT_ON_GROUP;
-        }
-    }
-    return TWO_BODIES_F32_OK;
-}
-
 void two_bodies_f32_tracking(const two_bodies_f32_params *params, const two_bodies_f32_state *state,
         const two_bodies_f32_reference *reference, two_bodies_f32_command *command)
 {
-    float clearance;
-    two_bodies_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
+        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
+        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
+        g_24 = state->g[24];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
+        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
+        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
+        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
+
+    /* gap_0_a: translation of g from g_r [m] */
+    const float gap_0_a_0 = g_3 - g_r_3;
+    const float gap_0_a_1 = g_7 - g_r_7;
+    const float gap_0_a_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const float g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
+    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const float g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
+    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const float g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
+    const float g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
+    const float g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
+    const float g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
+    const float g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
+    const float g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
+    const float g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
+    const float g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
+    const float g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
+    const float g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
+
+    /* -- end -- */
+    (void)two_bodies_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, g_e_16, g_e_17, g_e_18, g_e_19,
+            g_e_20, g_e_21, g_e_22, g_e_23, g_e_24);
 }
 
 void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodies_f32_state *state,
@@ -1234,11 +1480,35 @@ void two_bodies_f32_plant(const two_bodies_f32_params *params, const two_bodies_
     nu_dot[8] = back_8;
 }
 
-/* What the state and the reference are worth. */
-static two_bodies_f32_status two_bodies_f32_judge(const two_bodies_f32_state *state,
-        const two_bodies_f32_reference *reference)
+/* The worse of two findings. */
+static two_bodies_f32_status two_bodies_f32_worse(const two_bodies_f32_status a,
+        const two_bodies_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static two_bodies_f32_status two_bodies_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     two_bodies_f32_status worst = TWO_BODIES_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = TWO_BODIES_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = two_bodies_f32_worse(worst, TWO_BODIES_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static two_bodies_f32_status two_bodies_f32_refuse(const two_bodies_f32_state *state,
+        const two_bodies_f32_reference *reference, const two_bodies_f32_status found,
+        two_bodies_f32_command *command)
+{
+    two_bodies_f32_status worst = found;
     worst = two_bodies_f32_worse(worst,
             two_bodies_f32_inspect(state->g, 25, TWO_BODIES_F32_MAX_INPUT));
     worst = two_bodies_f32_worse(worst,
@@ -1249,61 +1519,197 @@ static two_bodies_f32_status two_bodies_f32_judge(const two_bodies_f32_state *st
             two_bodies_f32_inspect(reference->nu, 9, TWO_BODIES_F32_MAX_INPUT));
     worst = two_bodies_f32_worse(worst,
             two_bodies_f32_inspect(reference->nu_dot, 9, TWO_BODIES_F32_MAX_INPUT));
-    if (worst == TWO_BODIES_F32_OK) {
-        worst = two_bodies_f32_on_group(state->g);
-    }
-    if (worst == TWO_BODIES_F32_OK) {
-        worst = two_bodies_f32_on_group(reference->g);
-    }
+    *command = two_bodies_f32_nothing;
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static two_bodies_f32_status two_bodies_f32_verdict(const two_bodies_f32_command *command,
-        const float clearance)
+static two_bodies_f32_status two_bodies_f32_verdict(const float clearance,
+        two_bodies_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 9; i++) {
-            if (!isfinite(rows[row][i])) {
-                return TWO_BODIES_F32_NONFINITE_INPUT;
-            }
-        }
+    two_bodies_f32_status status = TWO_BODIES_F32_OK;
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
+            && isfinite(command->force[3]) && isfinite(command->force[4])
+            && isfinite(command->force[5]) && isfinite(command->force[6])
+            && isfinite(command->force[7]) && isfinite(command->force[8]))) {
+        *command = two_bodies_f32_nothing;
+        status = TWO_BODIES_F32_NONFINITE_INPUT;
     }
-    return clearance < TWO_BODIES_F32_NEAR_CUT ? TWO_BODIES_F32_NEAR_CUT_LOCUS : TWO_BODIES_F32_OK;
+    return clearance < TWO_BODIES_F32_NEAR_CUT ? two_bodies_f32_worse(status,
+            TWO_BODIES_F32_NEAR_CUT_LOCUS) : status;
 }
 
 two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params,
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
         two_bodies_f32_command *command)
 {
-    static const two_bodies_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    two_bodies_f32_status status = two_bodies_f32_judge(state, reference);
-    if (status == TWO_BODIES_F32_OK) {
-        float clearance;
-        two_bodies_f32_law(params, state, reference, command, &clearance);
-        status = two_bodies_f32_verdict(command, clearance);
+    float clearance;
+#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+    if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        return TWO_BODIES_F32_BAD_PARAMS;
     }
-    if (status >= TWO_BODIES_F32_NOT_ON_GROUP) {
-        *command = nothing;
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
+        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
+        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
+        g_24 = state->g[24];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
+        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
+        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
+        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
+
+    /* gap_0_a: translation of g from g_r [m] */
+    const float gap_0_a_0 = g_3 - g_r_3;
+    const float gap_0_a_1 = g_7 - g_r_7;
+    const float gap_0_a_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const float g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
+    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const float g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
+    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const float g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
+    const float g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
+    const float g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
+    const float g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
+    const float g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
+    const float g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
+    const float g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
+    const float g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
+    const float g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
+    const float g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_1) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_3) <= TWO_BODIES_F32_MAX_REACH
+            && fabsf(g_e_4) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_5) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_6) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_7) <= TWO_BODIES_F32_MAX_REACH
+            && fabsf(g_e_8) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_9) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_10) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_11) <= TWO_BODIES_F32_MAX_REACH
+            && fabsf(g_e_16) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_17) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_18) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_19) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_20) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_21) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_22) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_23) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_24) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(state->g[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->g[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->g[11]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[0]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[4]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[5]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[6]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[8]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->g[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->g[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->g[11]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[4]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[5]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[6]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[8]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[4]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[5]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[6]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[8]) <= TWO_BODIES_F32_MAX_INPUT)) {
+        const int is_near = fabsf(g_e_3) <= TWO_BODIES_F32_MAX_REACH
+                && fabsf(g_e_7) <= TWO_BODIES_F32_MAX_REACH
+                && fabsf(g_e_11) <= TWO_BODIES_F32_MAX_REACH;
+        return two_bodies_f32_refuse(state, reference,
+                is_near ? TWO_BODIES_F32_NOT_ON_GROUP : TWO_BODIES_F32_OUT_OF_RANGE, command);
     }
-    return status;
+    /* -- drift -- */
+    const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];
+    const float g_r_12 = reference->g[12], g_r_13 = reference->g[13], g_r_14 = reference->g[14],
+        g_r_15 = reference->g[15];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_4*g_e_4 + g_e_8*g_e_8;
+    const float off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
+    const float off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6;
+    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const float off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6;
+    const float off_5 = g_e_10*g_e_10 - 1.0F + g_e_2*g_e_2 + g_e_6*g_e_6;
+    const float off_6 = g_e_0*g_e_10*g_e_5 - 1.0F + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 -
+        g_e_0*g_e_6*g_e_9 - g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8;
+    const float off_7 = g_e_16*g_e_16 - 1.0F + g_e_19*g_e_19 + g_e_22*g_e_22;
+    const float off_8 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23;
+    const float off_9 = g_e_16*g_e_18 + g_e_19*g_e_21 + g_e_22*g_e_24;
+    const float off_10 = g_e_17*g_e_17 - 1.0F + g_e_20*g_e_20 + g_e_23*g_e_23;
+    const float off_11 = g_e_17*g_e_18 + g_e_20*g_e_21 + g_e_23*g_e_24;
+    const float off_12 = g_e_18*g_e_18 - 1.0F + g_e_21*g_e_21 + g_e_24*g_e_24;
+    const float off_13 = g_e_16*g_e_20*g_e_24 - 1.0F + g_e_17*g_e_21*g_e_22 + g_e_18*g_e_19*g_e_23 -
+        g_e_16*g_e_21*g_e_23 - g_e_17*g_e_19*g_e_24 - g_e_18*g_e_20*g_e_22;
+    const float off_17 = g_15 - 1.0F;
+    const float off_21 = g_r_15 - 1.0F;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_12*off_12 +
+        off_13*off_13 + off_17*off_17 + off_2*off_2 + off_21*off_21 + off_3*off_3 + off_4*off_4 +
+        off_5*off_5 + off_6*off_6 + off_7*off_7 + off_8*off_8 + off_9*off_9;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return two_bodies_f32_refuse(state, reference, TWO_BODIES_F32_NOT_ON_GROUP, command);
+    }
+    clearance = two_bodies_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, g_e_16, g_e_17, g_e_18,
+            g_e_19, g_e_20, g_e_21, g_e_22, g_e_23, g_e_24);
+    return two_bodies_f32_verdict(clearance, command);
 }
 
 two_bodies_f32_status two_bodies_f32_check_params(const two_bodies_f32_params *params)
 {
+#ifdef TWO_BODIES_CHECK_POINTERS
+    if (params == NULL) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+#endif
     float pivot[9];
     int i;
     if (two_bodies_f32_inspect(params->inertia, 45, TWO_BODIES_F32_MAX_PARAM) != TWO_BODIES_F32_OK)
             {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= TWO_BODIES_F32_MAX_PARAM)) {
+    if (!(params->lambda >= TWO_BODIES_F32_MIN_GAIN && params->lambda <= TWO_BODIES_F32_MAX_RATE)) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= TWO_BODIES_F32_MAX_PARAM)) {
+    if (!(params->k_s >= TWO_BODIES_F32_MIN_GAIN && params->k_s <= TWO_BODIES_F32_MAX_RATE)) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= TWO_BODIES_F32_MOST_DRIFT)) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

@@ -1,0 +1,103 @@
+"""A package on every machine: the same bits, no flags, counts that repeat, promises kept."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from derive.evidence.machine import LEVELS, MACHINES, MEASURED, Machine
+from derive.evidence.target import missing, targets
+from derive.verify.check import Check
+from tests.evidence.emulated import M4F, M7, need, package
+
+Found = Mapping[tuple[str, str], Check]
+
+PAIRS = [(machine, scalar) for machine in MACHINES for scalar in machine.scalars]
+every_pair = pytest.mark.parametrize(
+    ("machine", "scalar"), PAIRS, ids=[f"{machine.name}-{scalar}" for machine, scalar in PAIRS]
+)
+
+
+SHOWN = {"found": LEVELS, "carried": (MEASURED,)}
+
+
+def found_of(name: str, folder: Path, levels: Sequence[str]) -> Found:
+    need()
+    packages = [package(name, scalar, folder) for scalar in ("f32", "f64")]
+    return {(check.name, check.subject): check for check in targets(packages, levels=levels)}
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> Found:
+    return found_of("paper_so3", tmp_path_factory.mktemp("so3"), SHOWN["found"])
+
+
+@pytest.fixture(scope="module")
+def carried(tmp_path_factory: pytest.TempPathFactory) -> Found:
+    """On SE3."""
+    return found_of("underwater", tmp_path_factory.mktemp("se3"), SHOWN["carried"])
+
+
+@every_pair
+@pytest.mark.parametrize("which", SHOWN)
+def test_every_row_has_the_same_bits(
+    which: str, machine: Machine, scalar: str, request: pytest.FixtureRequest
+) -> None:
+    checks: Found = request.getfixturevalue(which)
+    subject = f"{scalar} {machine.name}"
+    levels = f"{subject} {' '.join(SHOWN[which])}"
+    built, tested, same = (
+        checks["built and run", subject],
+        checks["self-test", levels],
+        checks["same bits", levels],
+    )
+    assert all(check.is_ok for check in (built, tested, same)), same.details
+    assert built.samples == len(SHOWN[which])
+    assert same.samples > 2 * tested.samples > 0  # the bare routines too
+
+
+def test_no_flag_is_raised(found: Found, carried: Found) -> None:
+    for checks in (found, carried):
+        flags = [check for check in checks.values() if check.name == "flags"]
+        assert len(flags) == sum(len(machine.raises) for machine in MACHINES)
+        assert all(check.is_ok and check.samples > 40 for check in flags)
+
+
+def test_counts_are_exact_and_repeat(found: Found, carried: Found) -> None:
+    for checks in (found, carried):
+        for subject in (f"f32 {M4F.name} -O2", f"f64 {M7.name} -O2"):
+            assert checks["clock", subject].measured == 0
+            assert checks["counted twice", subject].measured == 0
+            assert checks["counted twice", subject].samples > 60
+            assert checks["instructions, plant", subject].measured > 50
+
+
+def test_a_painted_stack_is_within_the_static_bound_and_close_to_it(found: Found) -> None:
+    for subject in (f"f32 {M4F.name} -O2", f"f64 {M7.name} -O2"):
+        for routine in ("control", "tracking", "reaching"):
+            static = found[f"stack, {routine}", subject].measured
+            painted = found[f"painted stack, {routine}", subject]
+            assert painted.is_ok
+            touched = int(painted.worst.split()[0])
+            assert 0.9 * static <= touched <= static
+
+
+def test_what_is_promised_is_kept(found: Found) -> None:
+    assert [check for check in found.values() if not check.is_ok] == []
+    promised = {check.limit.name for check in found.values() if "M4F" in check.limit.name}
+    assert promised == {
+        "M4F SO3 tracking", "M4F spread", "M4F guard", "M4F stack", "M4F stack, guarded",
+        "M4F text", "M4F text, guarded",
+    }  # fmt: skip
+
+
+def test_nothing_is_promised_of_other_groups_scalars_and_controllers(carried: Found) -> None:
+    assert all(check.is_ok for check in carried.values())
+    assert not any("M4F" in check.limit.name for check in carried.values())
+
+
+def test_nothing_is_missing_in_ci() -> None:
+    need()
+    assert missing() == ()

@@ -1,0 +1,107 @@
+"""Missing tools, a compiler that fails, an emulator that hangs, a folder that cannot be written."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from derive.evidence.machine import MACHINES, MEASURED
+from derive.evidence.target import missing, targets
+from derive.verify.check import Check, Report
+from tests.command import tree
+from tests.evidence.emulated import BY_NAME, M4F, inject, need, package
+
+
+def one(checks: list[Check]) -> Check:
+    (check,) = checks
+    return check
+
+
+def test_every_missing_tool_is_named_with_what_brings_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    emitted = package("paper_so3", "f32", tmp_path)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    reasons = missing()
+    assert len(reasons) == len(MACHINES)
+    for machine, reason in zip(MACHINES, reasons, strict=True):
+        assert reason.startswith(f"{machine.name} was not run: {machine.compiler.command}")
+        assert "apt install" in reason
+    assert list(targets([emitted])) == []
+
+
+def test_a_missing_emulator_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    need(M4F)
+    (tmp_path / M4F.compiler.command).symlink_to(M4F.compiler.path)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert missing([M4F]) == (
+        "Cortex-M4F was not run: qemu-system-arm is not on PATH; "
+        "get it with: apt install qemu-system-arm",
+    )
+
+
+def test_a_missing_library_is_named() -> None:
+    need(M4F)
+    (reason,) = missing([replace(M4F, needs="libnowhere.a")])
+    told = "arm-none-eabi-gcc has no libnowhere.a; get it with: apt install"
+    assert reason.startswith(f"Cortex-M4F was not run: {told}")
+
+
+def test_a_compiler_that_fails_is_told_with_its_words(tmp_path: Path) -> None:
+    need(BY_NAME["gcc"], M4F)
+    emitted = inject(package("paper_so3", "f32", tmp_path), "plant", "not C;")
+    emitted.source.write_text(
+        emitted.source.read_text().replace("not C;", "\n#ifdef __arm__\nnot C;\n#endif\n")
+    )
+    checks = list(targets([emitted], machines=[BY_NAME["gcc"], M4F]))
+    failed = one([check for check in checks if not check.is_ok])
+    assert (failed.name, failed.subject) == ("built and run", "f32 Cortex-M4F")
+    assert (failed.measured, failed.samples) == (3, 3)
+    for word in ("arm-none-eabi-gcc ended with 1", "command: ", "-mcpu=cortex-m4", "error: "):
+        assert word in failed.worst
+    assert "\n" not in Report("v", (failed,)).table().splitlines()[2]
+
+
+def test_an_emulator_that_hangs_is_ended_and_told(tmp_path: Path) -> None:
+    need(M4F)
+    forever = "\n#ifdef __OPTIMIZE__\n{ volatile int i = 1; while (i) { } }\n#endif\n"
+    emitted = inject(package("paper_so3", "f32", tmp_path), "plant", forever)
+    start = time.monotonic()
+    failed = one([c for c in targets([emitted], machines=[M4F], seconds=2.0) if not c.is_ok])
+    assert time.monotonic() - start < 15
+    assert failed.measured == 2
+    assert "-O2: " in failed.worst
+    assert "qemu-system-arm" in failed.worst
+    assert "did not end within 2 s" in failed.worst
+    elf = failed.worst.split("-kernel ")[1].split()[0]
+    commands = (path.read_bytes() for path in Path("/proc").glob("[0-9]*/cmdline"))
+    assert not any(elf.encode() in command for command in commands)
+    assert not Path(elf).parent.exists()
+
+
+def test_a_fault_on_the_target_is_told(tmp_path: Path) -> None:
+    need(M4F)
+    emitted = inject(package("paper_so3", "f32", tmp_path), "plant", "*(volatile int *)0xF0000000;")
+    failed = one([c for c in targets([emitted], machines=[M4F], levels=[MEASURED]) if not c.is_ok])
+    assert failed.measured == 1
+    assert "ended with 98" in failed.worst
+    assert "fault" in failed.worst
+
+
+def test_a_package_is_only_read(tmp_path: Path) -> None:
+    need(BY_NAME["gcc"], M4F)
+    emitted = package("paper_so3", "f32", tmp_path)
+    places = [emitted.folder, *emitted.folder.rglob("*")]
+    for place in places:
+        place.chmod(0o555 if place.is_dir() else 0o444)
+    before = tree(emitted.folder)
+    try:
+        checks = list(targets([emitted], machines=[BY_NAME["gcc"], M4F], levels=[MEASURED]))
+    finally:
+        for place in places:
+            place.chmod(0o755)
+    assert all(check.is_ok for check in checks if check.name in ("built and run", "same bits"))
+    assert tree(emitted.folder) == before
