@@ -1,140 +1,140 @@
 /**
  * @file
- * @brief quadrotor_f32: gsmc on S3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to
- *     (g_r, nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit':
- *     'kg m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
- *     'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_2', 2],
- *     ['inertia_3', 3], ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name':
- *     'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
- *     True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
- *     'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc': 'reaching
- *     rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s', 'entries':
- *     [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size': 3, 'unit':
- *     'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False, 'holder': 'state',
- *     'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'argument': 'nu',
- *     'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity,
- *     reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member':
- *     'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'argument': 'nu_r', 'shape':
- *     (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'its rate', 'source': '',
- *     'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0],
- *     ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument': 'nu_r_dot', 'shape': (3,)}, {'name':
- *     'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)',
- *     'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1],
- *     ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape': (4,)}], 'steps': [{'name':
- *     'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1: reference to body frame', 'source':
- *     '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['to_body_0', 'to_body_1',
+ * @brief quadrotor_f32: gsmc on S3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc':
+ *     'force that drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params',
+ *     'state', 'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle,
+ *     row by row', 'entries': [['inertia_0', 0], ['inertia_2', 2], ['inertia_3', 3], ['inertia_5',
+ *     5]], 'holder': 'params', 'is_scalar': False, 'member': 'inertia', 'name': 'inertia', 'shape':
+ *     [6], 'size': 6, 'source': '', 'unit': 'kg m^2'}, {'argument': 'lambda_', 'doc': 'sliding
+ *     rate', 'entries': [['rate_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member':
+ *     'lambda', 'name': 'rate_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'},
+ *     {'argument': 'k_s', 'doc': 'reaching rate', 'entries': [['reach_gain', 0]], 'holder':
+ *     'params', 'is_scalar': True, 'member': 'k_s', 'name': 'reach_gain', 'shape': [1], 'size': 1,
+ *     'source': '', 'unit': '1/s'}, {'argument': 'nu', 'doc': 'body velocity', 'entries': [['nu_0',
+ *     0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state', 'is_scalar': False, 'member': 'nu', 'name':
+ *     'nu', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r', 'doc':
+ *     'reference velocity, reference body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
+ *     ['nu_r_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member': 'nu', 'name': 'nu_r',
+ *     'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its
+ *     rate', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder':
+ *     'reference', 'is_scalar': False, 'member': 'nu_dot', 'name': 'nu_r_dot', 'shape': [3],
+ *     'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g',
+ *     'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'holder': '',
+ *     'is_scalar': False, 'member': 'g_e', 'name': 'g_e', 'shape': [4], 'size': 4, 'source': 'eq.
+ *     (velErr)', 'unit': '1'}], 'is_public': False, 'name': 'tracking', 'operations': 185,
+ *     'outputs': [{'doc': 'control force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder':
+ *     'command', 'is_scalar': False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '',
+ *     'unit': 'N m'}, {'doc': 'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder':
+ *     'command', 'is_scalar': False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit':
+ *     'rad/s'}, {'doc': 'kinematic law', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'holder':
+ *     'command', 'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3, 'source': '',
+ *     'unit': 'rad'}, {'doc': 'its exact rate', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
+ *     'nu_u_dot_2'], 'holder': 'command', 'is_scalar': False, 'member': 'nu_u_dot', 'name':
+ *     'nu_u_dot', 'size': 3, 'source': '', 'unit': 'rad/s'}, {'doc': 'distance from the cut locus
+ *     of the law', 'entries': ['distance'], 'holder': '', 'is_scalar': True, 'member': 'clearance',
+ *     'name': 'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes': ['command',
+ *     'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc': 'Ad of g_e^-1:
+ *     reference to body frame', 'holder': '', 'is_scalar': False, 'lines': [['to_body_0', '1.0F -
+ *     2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3'], ['to_body_1', '2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2)'],
+ *     ['to_body_2', '2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0F*(g_e_1*g_e_2 -
+ *     g_e_0*g_e_3)'], ['to_body_4', '1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3'], ['to_body_5',
+ *     '2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6', '2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3)'],
+ *     ['to_body_7', '2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0F - 2.0F*g_e_1*g_e_1 -
+ *     2.0F*g_e_2*g_e_2']], 'member': '', 'name': 'to_body', 'names': ['to_body_0', 'to_body_1',
  *     'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'],
- *     'lines': [['to_body_0', '1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3'], ['to_body_1',
- *     '2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2', '2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2)'],
- *     ['to_body_3', '2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3)'], ['to_body_4', '1.0F - 2.0F*g_e_1*g_e_1 -
- *     2.0F*g_e_3*g_e_3'], ['to_body_5', '2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6',
- *     '2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7', '2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1)'],
- *     ['to_body_8', '1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_2*g_e_2']], 'cases': []}, {'name': 'eta',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in the body frame', 'source': 'eq.
- *     (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1',
- *     'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'],
- *     ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2',
- *     'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar':
- *     False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines':
- *     [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']],
- *     'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'exact rate of eta',
- *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0',
- *     'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 +
- *     nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 +
- *     nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
- *     ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
- *     nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name': 'norm_square', 'size': 1,
- *     'unit': '1', 'doc': 'squared length', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'g_e_0*g_e_0 + g_e_1*g_e_1
- *     + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit':
- *     '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square <
- *     0.75F', 'lines': [['norm_bounded', '0.75F']]}, {'condition': '', 'lines': [['norm_bounded',
- *     'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'length', 'source': '',
- *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
- *     'sqrtf(norm_bounded)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
- *     unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
- *     ['scale'], 'lines': [['scale', '1.0F/norm']], 'cases': []}, {'name': 'w', 'size': 1, 'unit':
- *     '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
- *     'member': '', 'names': ['w'], 'lines': [['w', 'g_e_0*scale']], 'cases': []}, {'name': 'v',
- *     'size': 3, 'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
- *     'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_0', 'v_1', 'v_2'], 'lines':
- *     [['v_0', 'g_e_1*scale'], ['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'cases': []},
- *     {'name': 'k_near', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, for |w|',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_near'], 'lines':
- *     [['k_near', 'quadrotor_f32_k(fabsf(w))']], 'cases': []}, {'name': 'sine_square', 'size': 1,
- *     'unit': '1', 'doc': 'v.v', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
- *     'names': ['sine_square'], 'lines': [['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']], 'cases':
- *     []}, {'name': 'sine_bounded', 'size': 1, 'unit': '1', 'doc': 'the same, away from -i and i',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine_bounded'],
- *     'lines': [], 'cases': [{'condition': 'sine_square < (5.0e-8F*5.0e-8F)', 'lines':
- *     [['sine_bounded', '5.0e-8F*5.0e-8F']]}, {'condition': '', 'lines': [['sine_bounded',
- *     'sine_square']]}]}, {'name': 'sine', 'size': 1, 'unit': '1', 'doc': '|v|', 'source': '',
- *     'is_scalar': True, 'holder': '', 'member': '', 'names': ['sine'], 'lines': [['sine',
- *     'sqrtf(sine_bounded)']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
- *     angle over its sine, on to 2 pi', 'source': '', 'is_scalar': True, 'holder': '', 'member':
- *     '', 'names': ['k'], 'lines': [], 'cases': [{'condition': 'w >= 0.0F', 'lines': [['k',
- *     'k_near']]}, {'condition': '', 'lines': [['k', '3.1415927F/sine - k_near']]}]}, {'name': 'h',
- *     'size': 1, 'unit': '1', 'doc': '-dk/dw, as (1 - w k)/s^2', 'source': '', 'is_scalar': True,
- *     'holder': '', 'member': '', 'names': ['h'], 'lines': [['h', '(1.0F - k*w)/sine_bounded']],
- *     'cases': []}, {'name': 'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i',
- *     'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['distance'], 'lines':
- *     [], 'cases': [{'condition': 'w < 0.0F', 'lines': [['distance', 'sine']]}, {'condition': '',
- *     'lines': [['distance', '1.0F']]}]}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc':
- *     'kinematic law, the rotation vector', 'source': 'def. (KctrLaw)', 'is_scalar': False,
- *     'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
- *     '2.0F*k*v_0'], ['nu_u_1', '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']], 'cases': []}, {'name':
- *     'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'v x nu_e', 'source': '', 'is_scalar': False,
- *     'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0',
- *     'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 -
- *     nu_e_0*v_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc': 'v x (v x
- *     nu_e)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0',
- *     'bend_1', 'bend_2'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2
- *     - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'cases': []}, {'name': 'nu_u_dot',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False,
- *     'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines':
- *     [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h +
- *     k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'cases': []}, {'name': 'drive',
- *     'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder':
- *     '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0',
+ *     'size': 9, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'reference velocity in the body
+ *     frame', 'holder': '', 'is_scalar': False, 'lines': [['eta_0', 'nu_r_0*to_body_0 +
+ *     nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 +
+ *     nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']],
+ *     'member': '', 'name': 'eta', 'names': ['eta_0', 'eta_1', 'eta_2'], 'size': 3, 'source': 'eq.
+ *     (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'velocity error', 'holder': '',
+ *     'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'],
+ *     ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1',
+ *     'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'exact
+ *     rate of eta', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_0', 'eta_1*nu_e_2 +
+ *     nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'],
+ *     ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+ *     nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
+ *     nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'member': '', 'name':
+ *     'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'size': 3, 'source': '', 'unit':
+ *     'rad/s^2'}, {'cases': [], 'doc': 'squared length', 'holder': '', 'is_scalar': True, 'lines':
+ *     [['norm_square', 'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'member': '',
+ *     'name': 'norm_square', 'names': ['norm_square'], 'size': 1, 'source': '', 'unit': '1'},
+ *     {'cases': [{'condition': 'norm_square < 0.75F', 'lines': [['norm_bounded', '0.75F']]},
+ *     {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}], 'doc': 'the same: less is no
+ *     element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'norm_bounded',
+ *     'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
+ *     'length', 'holder': '', 'is_scalar': True, 'lines': [['norm', 'sqrtf(norm_bounded)']],
+ *     'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1, 'source': '', 'unit': '1'},
+ *     {'cases': [], 'doc': 'to unit length', 'holder': '', 'is_scalar': True, 'lines': [['scale',
+ *     '1.0F/norm']], 'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1, 'source': '',
+ *     'unit': '1'}, {'cases': [], 'doc': 'cos of half the error angle', 'holder': '', 'is_scalar':
+ *     True, 'lines': [['w', 'g_e_0*scale']], 'member': '', 'name': 'w', 'names': ['w'], 'size': 1,
+ *     'source': '', 'unit': '1'}, {'cases': [], 'doc': 'sin of half the error angle times its
+ *     axis', 'holder': '', 'is_scalar': False, 'lines': [['v_0', 'g_e_1*scale'], ['v_1',
+ *     'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'member': '', 'name': 'v', 'names': ['v_0', 'v_1',
+ *     'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'half angle over its
+ *     sine, for |w|', 'holder': '', 'is_scalar': True, 'lines': [['k_near',
+ *     'quadrotor_f32_k(fabsf(w))']], 'member': '', 'name': 'k_near', 'names': ['k_near'], 'size':
+ *     1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'v.v', 'holder': '', 'is_scalar': True,
+ *     'lines': [['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']], 'member': '', 'name':
+ *     'sine_square', 'names': ['sine_square'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
+ *     [{'condition': 'sine_square < (5.0e-8F*5.0e-8F)', 'lines': [['sine_bounded',
+ *     '5.0e-8F*5.0e-8F']]}, {'condition': '', 'lines': [['sine_bounded', 'sine_square']]}], 'doc':
+ *     'the same, away from -i and i', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '',
+ *     'name': 'sine_bounded', 'names': ['sine_bounded'], 'size': 1, 'source': '', 'unit': '1'},
+ *     {'cases': [], 'doc': '|v|', 'holder': '', 'is_scalar': True, 'lines': [['sine',
+ *     'sqrtf(sine_bounded)']], 'member': '', 'name': 'sine', 'names': ['sine'], 'size': 1,
+ *     'source': '', 'unit': '1'}, {'cases': [{'condition': 'w >= 0.0F', 'lines': [['k',
+ *     'k_near']]}, {'condition': '', 'lines': [['k', '3.1415927F/sine - k_near']]}], 'doc': 'half
+ *     angle over its sine, on to 2 pi', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '',
+ *     'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
+ *     '-dk/dw, as (1 - w k)/s^2', 'holder': '', 'is_scalar': True, 'lines': [['h', '(1.0F -
+ *     k*w)/sine_bounded']], 'member': '', 'name': 'h', 'names': ['h'], 'size': 1, 'source': '',
+ *     'unit': '1'}, {'cases': [{'condition': 'w < 0.0F', 'lines': [['distance', 'sine']]},
+ *     {'condition': '', 'lines': [['distance', '1.0F']]}], 'doc': 'distance from -i', 'holder': '',
+ *     'is_scalar': True, 'lines': [], 'member': '', 'name': 'distance', 'names': ['distance'],
+ *     'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'kinematic law, the rotation
+ *     vector', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_0', '2.0F*k*v_0'], ['nu_u_1',
+ *     '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']], 'member': '', 'name': 'nu_u', 'names': ['nu_u_0',
+ *     'nu_u_1', 'nu_u_2'], 'size': 3, 'source': 'def. (KctrLaw)', 'unit': 'rad'}, {'cases': [],
+ *     'doc': 'v x nu_e', 'holder': '', 'is_scalar': False, 'lines': [['turn_0', 'nu_e_2*v_1 -
+ *     nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']],
+ *     'member': '', 'name': 'turn', 'names': ['turn_0', 'turn_1', 'turn_2'], 'size': 3, 'source':
+ *     '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'v x (v x nu_e)', 'holder': '', 'is_scalar':
+ *     False, 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 -
+ *     turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'member': '', 'name': 'bend', 'names':
+ *     ['bend_0', 'bend_1', 'bend_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [],
+ *     'doc': 'exact rate of nu_u', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_dot_0',
+ *     'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'],
+ *     ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'member': '', 'name': 'nu_u_dot', 'names':
+ *     ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '', 'unit': 'rad/s'},
+ *     {'cases': [], 'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False, 'lines': [['drive_0',
  *     'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']],
- *     'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source':
- *     'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1',
- *     's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2
- *     + nu_e_2']], 'cases': []}, {'name': 'wanted', 'size': 3, 'unit': 'rad/s^2', 'doc':
- *     'acceleration asked for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
- *     'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 -
+ *     'member': '', 'name': 'drive', 'names': ['drive_0', 'drive_1', 'drive_2'], 'size': 3,
+ *     'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'sliding variable', 'holder': '',
+ *     'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
+ *     ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names': ['s_0', 's_1', 's_2'],
+ *     'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'acceleration
+ *     asked for', 'holder': '', 'is_scalar': False, 'lines': [['wanted_0', 'eta_dot_0 -
  *     nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain -
  *     reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']],
- *     'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u - eta',
- *     'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0',
- *     'turning_1', 'turning_2'], 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1
- *     - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'cases': []}, {'name': 'momentum', 'size': 3,
- *     'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
- *     'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0
+ *     'member': '', 'name': 'wanted', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'size': 3,
+ *     'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'lambda nu_u - eta', 'holder': '',
+ *     'is_scalar': False, 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 -
+ *     eta_1'], ['turning_2', 'drive_2 - eta_2']], 'member': '', 'name': 'turning', 'names':
+ *     ['turning_0', 'turning_1', 'turning_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases':
+ *     [], 'doc': 'I nu', 'holder': '', 'is_scalar': False, 'lines': [['momentum_0', 'inertia_0*nu_0
  *     + inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0 +
- *     inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control
- *     force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '',
- *     'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'inertia_0*wanted_0 +
+ *     inertia_5*nu_2']], 'member': '', 'name': 'momentum', 'names': ['momentum_0', 'momentum_1',
+ *     'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s'}, {'cases': [], 'doc': 'control
+ *     force, I f_u', 'holder': '', 'is_scalar': False, 'lines': [['force_0', 'inertia_0*wanted_0 +
  *     inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'], ['force_1',
  *     'inertia_3*wanted_1 + momentum_2*turning_0 - momentum_0*turning_2'], ['force_2',
  *     'inertia_2*wanted_0 + inertia_5*wanted_2 + momentum_0*turning_1 - momentum_1*turning_0']],
- *     'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N m', 'doc': 'control
- *     force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries':
- *     ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
- *     variable', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries':
- *     ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law',
- *     'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries':
- *     ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its
- *     exact rate', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot',
- *     'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1,
- *     'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
- *     True, 'holder': '', 'member': 'clearance', 'entries': ['distance']}], 'operations': 185,
- *     'temporaries': 63, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
- *     'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
- *     'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, float
- *     precision.
+ *     'member': '', 'name': 'force', 'names': ['force_0', 'force_1', 'force_2'], 'size': 3,
+ *     'source': 'eq. (TckCtrl)', 'unit': 'N m'}], 'symbol': 'tracking', 'temporaries': 63,
+ *     'writes': ['command', 'clearance']}, float precision.
  *
  * Generated by derive from the vehicle file quadrotor.toml; regenerate instead of editing.
  *
