@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import ImmutableMatrix, Matrix
+from sympy import ImmutableMatrix, Matrix, Piecewise
 
 from derive.lie.group import Group
 from derive.routine.derivation import Derivation, Quantity
@@ -41,24 +41,31 @@ class MechanicalSystem:
         coad, flat = self.group.coad, self.flat
         return (self.group.bracket(x, y) - self.sharp(coad(x) * flat(y) + coad(y) * flat(x))) / 2
 
-    def pivots(self, d: Derivation, is_checked: bool = True) -> tuple[Matrix, Matrix]:
+    def pivots(self, d: Derivation, *, is_definite: bool = True) -> tuple[Matrix, Matrix]:
         """Steps of I = L D L^T: unit lower triangular L (n, n) and pivots D (n, 1).
 
-        All pivots are positive if and only if the inertia is positive definite.
-        is_checked: they are known to be; else what is divided by is 1 from a bad pivot on, which
-        changes no verdict: one pivot that is not positive is enough
+        All pivots are positive if and only if the inertia is positive definite. Where that is
+        to be found out, nothing is divided by a pivot that is not: the pivots after it are wrong.
         """
-        n, unit = self.dim, self.group.inertia_unit
+        n = self.dim
         lower, pivot = sympy.eye(n), sympy.zeros(n, 1)
         for j in range(n):
             left = sum((lower[j, k] ** 2 * pivot[k] for k in range(j)), sympy.S.Zero)
-            pivot[j] = d.let(f"pivot_{j}", self.inertia[j, j] - left, unit, "pivot of I")
-            below = pivot[j] if is_checked or j + 1 == n else _positive(d, j, pivot[j], unit)
+            pivot[j] = d.let(
+                f"pivot_{j}", self.inertia[j, j] - left, self.group.inertia_unit, "pivot of I"
+            )
+            divisor = pivot[j] if is_definite else self._divisor(d, j, pivot[j])
             for i in range(j + 1, n):
                 left = sum((lower[i, k] * lower[j, k] * pivot[k] for k in range(j)), sympy.S.Zero)
-                value = (self.inertia[i, j] - left) / below
+                value = (self.inertia[i, j] - left) / divisor
                 lower[i, j] = d.let(f"lower_{i}{j}", value, "1", "I = L D L^T, entry of L")
         return lower, pivot
+
+    def _divisor(self, d: Derivation, j: int, pivot: Any) -> Any:
+        """Step of a pivot that anything may be divided by: 1 where it is not positive."""
+        value = Piecewise((pivot, pivot > 0), (sympy.S.One, True), evaluate=False)
+        unit, doc = self.group.inertia_unit, "the pivot, or 1 where it is not positive"
+        return d.let(f"divisor_{j}", value, unit, doc)
 
     def solve(self, d: Derivation, a: Matrix) -> Matrix:
         """Steps of x with I x = a, (n, 1), by the pivots; no inverse is formed."""
@@ -74,12 +81,6 @@ class MechanicalSystem:
             unit, doc = self.group.acceleration_unit, "back substitution"
             x[i] = d.let(f"back_{i}", x[i] / pivot[i] - left, unit, doc)
         return Matrix(x)
-
-
-def _positive(d: Derivation, j: int, pivot: Any, unit: str) -> Any:
-    """Step of what is divided by: the pivot, or 1 where it is zero, negative or not a number."""
-    value = sympy.Piecewise((pivot, pivot > 0), (sympy.S.One, True), evaluate=False)
-    return d.let(f"divisor_{j}", value, unit, "the pivot, or 1 where it is bad")
 
 
 def symmetric(entries: Matrix, pattern: tuple[bool, ...]) -> ImmutableMatrix:
@@ -167,7 +168,7 @@ def definiteness(group: Group, pattern: tuple[bool, ...]) -> Derivation:
     """Pivots of the inertia: all positive if and only if it is positive definite."""
     d = Derivation("definiteness", "pivots of the inertia: all positive for a valid one", "")
     system = take_system(d, group, pattern)
-    _, pivot = system.pivots(d, is_checked=False)
+    _, pivot = system.pivots(d, is_definite=False)
     output = Quantity("pivot", group.dim, group.inertia_unit, "pivots of I", place="pivot")
     d.give(output, pivot)
     return d.pruned()

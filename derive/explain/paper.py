@@ -76,6 +76,7 @@ CONSTANTS = {
     "TINY": "rounds away beside any normal number, and keeps divisors from being zero",
     "SMALL": "added to a divisor that vanishes at a pole",
     "FLOOR": "added to a squared sine, beside which it rounds away where it counts",
+    "SHORT": "squared length below which numbers are no quaternion",
     "CUT": "least sine that an error beyond pi is divided by",
     "LEAST": "below the squared length of any unit quaternion",
 }

@@ -65,6 +65,13 @@ _TABLE = (
     Limit("emit, cached", 0.35, "s", "as above, a new inertia of a known pattern"),
     Limit("help", 0.15, "s", "derive --help"),
     Limit("by hand", 1.1, "times", "operations of tracking over a count by hand, SE3 and SE2"),
+    Limit(
+        "eva, alarms", 0, "alarms", "undefined behaviour that Eva cannot rule out, any input bits"
+    ),
+    Limit("eva, not proved", 0, "assertions", "finite, within limits, documented, zero when bad"),
+    Limit("eva, not reached", 0, "lines", "statements that no input reaches"),
+    Limit("eva, overflows", 0, "alarms", "NaN or infinity at any step, inputs within their ranges"),
+    Limit("eva, defects", 0, "missed", "seeded defects that the same runs do not find"),
     Limit("kernel k", 1.5, "eps", "k alone: half of what the log may be off"),
     Limit("kernel h", 4, "eps", "h alone: what the rate may be off, and it is times s^2 there"),
     Limit("kernel m", 16, "eps", "m alone: its terms alternate; it is times s^2 or smaller"),

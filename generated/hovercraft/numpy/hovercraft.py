@@ -687,7 +687,7 @@ def _definiteness(
     """Pivots of the inertia: all positive for a valid one."""
     # -- definiteness --
     inertia_0, inertia_2, inertia_3, inertia_5 = inertia[0], inertia[2], inertia[3], inertia[5]
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]

@@ -503,7 +503,7 @@ def _definiteness(
     inertia_0, inertia_1, inertia_2, inertia_3, inertia_4, inertia_5 = (
         inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]
     )
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -512,7 +512,7 @@ def _definiteness(
     lower_20 = inertia_2/divisor_0
     # pivot_1: pivot of I [kg m^2]
     pivot_1 = inertia_3 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is bad [kg m^2]
+    # divisor_1: the pivot, or 1 where it is not positive [kg m^2]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]

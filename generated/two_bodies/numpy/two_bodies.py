@@ -1441,21 +1441,21 @@ def _definiteness(
         inertia[0], inertia[2], inertia[4], inertia[9], inertia[11], inertia[17], inertia[24],
         inertia[30], inertia[35], inertia[39], inertia[42], inertia[44]
     )
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_20: I = L D L^T, entry of L [1]
     lower_20 = inertia_2/divisor_0
     # lower_40: I = L D L^T, entry of L [1]
     lower_40 = inertia_4/divisor_0
-    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_1_if_0 = inertia_9.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, inertia_9, 1.0)
     # lower_31: I = L D L^T, entry of L [1]
     lower_31 = inertia_11/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_17 - inertia_0*lower_20*lower_20
-    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_2_if_0 = pivot_2.real > 0.0
     divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_42: I = L D L^T, entry of L [1]

@@ -1257,7 +1257,7 @@ def _definiteness(
         inertia[7], inertia[8], inertia[9], inertia[10], inertia[11], inertia[12], inertia[13],
         inertia[14], inertia[15], inertia[16], inertia[17], inertia[18], inertia[19], inertia[20]
     )
-    # divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_0_if_0 = inertia_0.real > 0.0
     divisor_0 = np.where(divisor_0_if_0, inertia_0, 1.0)
     # lower_10: I = L D L^T, entry of L [1]
@@ -1272,7 +1272,7 @@ def _definiteness(
     lower_50 = inertia_5/divisor_0
     # pivot_1: pivot of I [kg m^2, kg m, kg]
     pivot_1 = inertia_6 - inertia_0*lower_10*lower_10
-    # divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_1_if_0 = pivot_1.real > 0.0
     divisor_1 = np.where(divisor_1_if_0, pivot_1, 1.0)
     # lower_21: I = L D L^T, entry of L [1]
@@ -1285,7 +1285,7 @@ def _definiteness(
     lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1
     # pivot_2: pivot of I [kg m^2, kg m, kg]
     pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21
-    # divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_2_if_0 = pivot_2.real > 0.0
     divisor_2 = np.where(divisor_2_if_0, pivot_2, 1.0)
     # lower_32: I = L D L^T, entry of L [1]
@@ -1299,7 +1299,7 @@ def _definiteness(
         inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32
     )
-    # divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_3_if_0 = pivot_3.real > 0.0
     divisor_3 = np.where(divisor_3_if_0, pivot_3, 1.0)
     # lower_43: I = L D L^T, entry of L [1]
@@ -1317,7 +1317,7 @@ def _definiteness(
         inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43
     )
-    # divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg]
+    # divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg]
     divisor_4_if_0 = pivot_4.real > 0.0
     divisor_4 = np.where(divisor_4_if_0, pivot_4, 1.0)
     # lower_54: I = L D L^T, entry of L [1]

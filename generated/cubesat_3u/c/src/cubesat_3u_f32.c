@@ -710,9 +710,11 @@ static cubesat_3u_f32_status cubesat_3u_f32_verdict(const cubesat_3u_f32_params 
             && fabsf(command->force[1]) <= params->force_limit[1]
             && fabsf(command->force[2]) <= params->force_limit[2])) {
         status = cubesat_3u_f32_saturate(params, command);
+        if (status == CUBESAT_3U_F32_NONFINITE_INPUT) {
+            return status;
+        }
     }
-    return clearance < CUBESAT_3U_F32_NEAR_CUT ? cubesat_3u_f32_worse(status,
-            CUBESAT_3U_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < CUBESAT_3U_F32_NEAR_CUT ? CUBESAT_3U_F32_NEAR_CUT_LOCUS : status;
 }
 
 cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params,

@@ -722,9 +722,11 @@ static cubesat_3u_f64_status cubesat_3u_f64_verdict(const cubesat_3u_f64_params 
             && fabs(command->force[1]) <= params->force_limit[1]
             && fabs(command->force[2]) <= params->force_limit[2])) {
         status = cubesat_3u_f64_saturate(params, command);
+        if (status == CUBESAT_3U_F64_NONFINITE_INPUT) {
+            return status;
+        }
     }
-    return clearance < CUBESAT_3U_F64_NEAR_CUT ? cubesat_3u_f64_worse(status,
-            CUBESAT_3U_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < CUBESAT_3U_F64_NEAR_CUT ? CUBESAT_3U_F64_NEAR_CUT_LOCUS : status;
 }
 
 cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params,

@@ -644,7 +644,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
         inertia_15 = params->inertia[15], inertia_18 = params->inertia[18],
         inertia_20 = params->inertia[20];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -667,7 +667,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const float pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -690,7 +690,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_2;
     if (pivot_2 > 0.0F) {
         divisor_2 = pivot_2;
@@ -711,7 +711,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_15 - pivot_1*lower_31*lower_31 - pivot_2*lower_32*lower_32;
 
-    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_3;
     if (pivot_3 > 0.0F) {
         divisor_3 = pivot_3;
@@ -729,7 +729,7 @@ static void freeflyer_f32_definiteness(const freeflyer_f32_params *params, float
     const float pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
-    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_4;
     if (pivot_4 > 0.0F) {
         divisor_4 = pivot_4;
@@ -1271,9 +1271,11 @@ static freeflyer_f32_status freeflyer_f32_verdict(const freeflyer_f32_params *pa
             && fabsf(command->force[4]) <= params->force_limit[4]
             && fabsf(command->force[5]) <= params->force_limit[5])) {
         status = freeflyer_f32_saturate(params, command);
+        if (status == FREEFLYER_F32_NONFINITE_INPUT) {
+            return status;
+        }
     }
-    return clearance < FREEFLYER_F32_NEAR_CUT ? freeflyer_f32_worse(status,
-            FREEFLYER_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < FREEFLYER_F32_NEAR_CUT ? FREEFLYER_F32_NEAR_CUT_LOCUS : status;
 }
 
 freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,

@@ -681,7 +681,7 @@ static void freeflyer_f64_definiteness(const freeflyer_f64_params *params, doubl
         inertia_15 = params->inertia[15], inertia_18 = params->inertia[18],
         inertia_20 = params->inertia[20];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -704,7 +704,7 @@ static void freeflyer_f64_definiteness(const freeflyer_f64_params *params, doubl
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const double pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;
@@ -727,7 +727,7 @@ static void freeflyer_f64_definiteness(const freeflyer_f64_params *params, doubl
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_2;
     if (pivot_2 > 0.0) {
         divisor_2 = pivot_2;
@@ -748,7 +748,7 @@ static void freeflyer_f64_definiteness(const freeflyer_f64_params *params, doubl
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const double pivot_3 = inertia_15 - pivot_1*lower_31*lower_31 - pivot_2*lower_32*lower_32;
 
-    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_3;
     if (pivot_3 > 0.0) {
         divisor_3 = pivot_3;
@@ -766,7 +766,7 @@ static void freeflyer_f64_definiteness(const freeflyer_f64_params *params, doubl
     const double pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
-    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_4;
     if (pivot_4 > 0.0) {
         divisor_4 = pivot_4;
@@ -1308,9 +1308,11 @@ static freeflyer_f64_status freeflyer_f64_verdict(const freeflyer_f64_params *pa
             && fabs(command->force[4]) <= params->force_limit[4]
             && fabs(command->force[5]) <= params->force_limit[5])) {
         status = freeflyer_f64_saturate(params, command);
+        if (status == FREEFLYER_F64_NONFINITE_INPUT) {
+            return status;
+        }
     }
-    return clearance < FREEFLYER_F64_NEAR_CUT ? freeflyer_f64_worse(status,
-            FREEFLYER_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < FREEFLYER_F64_NEAR_CUT ? FREEFLYER_F64_NEAR_CUT_LOCUS : status;
 }
 
 freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,

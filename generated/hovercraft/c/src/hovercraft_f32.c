@@ -389,7 +389,7 @@ static void hovercraft_f32_definiteness(const hovercraft_f32_params *params, flo
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -671,14 +671,12 @@ static hovercraft_f32_status hovercraft_f32_refuse(const hovercraft_f32_state *s
 static hovercraft_f32_status hovercraft_f32_verdict(const float clearance,
         hovercraft_f32_command *command)
 {
-    hovercraft_f32_status status = HOVERCRAFT_F32_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
         *command = hovercraft_f32_nothing;
-        status = HOVERCRAFT_F32_NONFINITE_INPUT;
+        return HOVERCRAFT_F32_NONFINITE_INPUT;
     }
-    return clearance < HOVERCRAFT_F32_NEAR_CUT ? hovercraft_f32_worse(status,
-            HOVERCRAFT_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < HOVERCRAFT_F32_NEAR_CUT ? HOVERCRAFT_F32_NEAR_CUT_LOCUS : HOVERCRAFT_F32_OK;
 }
 
 hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params,

@@ -413,7 +413,7 @@ static void hovercraft_f64_definiteness(const hovercraft_f64_params *params, dou
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -695,14 +695,12 @@ static hovercraft_f64_status hovercraft_f64_refuse(const hovercraft_f64_state *s
 static hovercraft_f64_status hovercraft_f64_verdict(const double clearance,
         hovercraft_f64_command *command)
 {
-    hovercraft_f64_status status = HOVERCRAFT_F64_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
         *command = hovercraft_f64_nothing;
-        status = HOVERCRAFT_F64_NONFINITE_INPUT;
+        return HOVERCRAFT_F64_NONFINITE_INPUT;
     }
-    return clearance < HOVERCRAFT_F64_NEAR_CUT ? hovercraft_f64_worse(status,
-            HOVERCRAFT_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < HOVERCRAFT_F64_NEAR_CUT ? HOVERCRAFT_F64_NEAR_CUT_LOCUS : HOVERCRAFT_F64_OK;
 }
 
 hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params,

@@ -388,7 +388,7 @@ static void paper_s3_f64_definiteness(const paper_s3_f64_params *params, double 
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -405,7 +405,7 @@ static void paper_s3_f64_definiteness(const paper_s3_f64_params *params, double 
     /* pivot_1: pivot of I [kg m^2] */
     const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;
@@ -684,18 +684,16 @@ static paper_s3_f64_status paper_s3_f64_refuse(const paper_s3_f64_state *state,
 static paper_s3_f64_status paper_s3_f64_verdict(const double clearance,
         paper_s3_f64_command *command)
 {
-    paper_s3_f64_status status = PAPER_S3_F64_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
         *command = paper_s3_f64_nothing;
-        status = PAPER_S3_F64_NONFINITE_INPUT;
+        return PAPER_S3_F64_NONFINITE_INPUT;
     }
     if (clearance < PAPER_S3_F64_REFUSED_CUT) {
         *command = paper_s3_f64_nothing;
-        return paper_s3_f64_worse(status, PAPER_S3_F64_OUT_OF_RANGE);
+        return PAPER_S3_F64_OUT_OF_RANGE;
     }
-    return clearance < PAPER_S3_F64_NEAR_CUT ? paper_s3_f64_worse(status,
-            PAPER_S3_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < PAPER_S3_F64_NEAR_CUT ? PAPER_S3_F64_NEAR_CUT_LOCUS : PAPER_S3_F64_OK;
 }
 
 paper_s3_f64_status paper_s3_f64_control(const paper_s3_f64_params *params,

@@ -393,7 +393,7 @@ static void paper_so3_f32_definiteness(const paper_so3_f32_params *params, float
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -410,7 +410,7 @@ static void paper_so3_f32_definiteness(const paper_so3_f32_params *params, float
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -728,14 +728,12 @@ static paper_so3_f32_status paper_so3_f32_refuse(const paper_so3_f32_state *stat
 static paper_so3_f32_status paper_so3_f32_verdict(const float clearance,
         paper_so3_f32_command *command)
 {
-    paper_so3_f32_status status = PAPER_SO3_F32_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
         *command = paper_so3_f32_nothing;
-        status = PAPER_SO3_F32_NONFINITE_INPUT;
+        return PAPER_SO3_F32_NONFINITE_INPUT;
     }
-    return clearance < PAPER_SO3_F32_NEAR_CUT ? paper_so3_f32_worse(status,
-            PAPER_SO3_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < PAPER_SO3_F32_NEAR_CUT ? PAPER_SO3_F32_NEAR_CUT_LOCUS : PAPER_SO3_F32_OK;
 }
 
 paper_so3_f32_status paper_so3_f32_control(const paper_so3_f32_params *params,

@@ -369,7 +369,7 @@ static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -661,13 +661,15 @@ static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_params *pa
             && fabsf(command->force[1]) <= params->force_limit[1]
             && fabsf(command->force[2]) <= params->force_limit[2])) {
         status = quadrotor_f32_saturate(params, command);
+        if (status == QUADROTOR_F32_NONFINITE_INPUT) {
+            return status;
+        }
     }
     if (clearance < QUADROTOR_F32_REFUSED_CUT) {
         *command = quadrotor_f32_nothing;
-        return quadrotor_f32_worse(status, QUADROTOR_F32_OUT_OF_RANGE);
+        return QUADROTOR_F32_OUT_OF_RANGE;
     }
-    return clearance < QUADROTOR_F32_NEAR_CUT ? quadrotor_f32_worse(status,
-            QUADROTOR_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < QUADROTOR_F32_NEAR_CUT ? QUADROTOR_F32_NEAR_CUT_LOCUS : status;
 }
 
 quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,

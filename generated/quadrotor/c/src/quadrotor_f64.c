@@ -381,7 +381,7 @@ static void quadrotor_f64_definiteness(const quadrotor_f64_params *params, doubl
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -673,13 +673,15 @@ static quadrotor_f64_status quadrotor_f64_verdict(const quadrotor_f64_params *pa
             && fabs(command->force[1]) <= params->force_limit[1]
             && fabs(command->force[2]) <= params->force_limit[2])) {
         status = quadrotor_f64_saturate(params, command);
+        if (status == QUADROTOR_F64_NONFINITE_INPUT) {
+            return status;
+        }
     }
     if (clearance < QUADROTOR_F64_REFUSED_CUT) {
         *command = quadrotor_f64_nothing;
-        return quadrotor_f64_worse(status, QUADROTOR_F64_OUT_OF_RANGE);
+        return QUADROTOR_F64_OUT_OF_RANGE;
     }
-    return clearance < QUADROTOR_F64_NEAR_CUT ? quadrotor_f64_worse(status,
-            QUADROTOR_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < QUADROTOR_F64_NEAR_CUT ? QUADROTOR_F64_NEAR_CUT_LOCUS : status;
 }
 
 quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,

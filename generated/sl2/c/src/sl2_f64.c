@@ -226,7 +226,7 @@ static void sl2_f64_definiteness(const sl2_f64_params *params, double pivot[3])
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
-    /* divisor_0: the pivot, or 1 where it is bad [J s^2] */
+    /* divisor_0: the pivot, or 1 where it is not positive [J s^2] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -243,7 +243,7 @@ static void sl2_f64_definiteness(const sl2_f64_params *params, double pivot[3])
     /* pivot_1: pivot of I [J s^2] */
     const double pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [J s^2] */
+    /* divisor_1: the pivot, or 1 where it is not positive [J s^2] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;
@@ -445,13 +445,12 @@ static sl2_f64_status sl2_f64_refuse(const sl2_f64_state *state, const sl2_f64_r
 /* What a computed command is worth, given its distance from the cut locus of the law. */
 static sl2_f64_status sl2_f64_verdict(const double clearance, sl2_f64_command *command)
 {
-    sl2_f64_status status = SL2_F64_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
         *command = sl2_f64_nothing;
-        status = SL2_F64_NONFINITE_INPUT;
+        return SL2_F64_NONFINITE_INPUT;
     }
-    return clearance < SL2_F64_NEAR_CUT ? sl2_f64_worse(status, SL2_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < SL2_F64_NEAR_CUT ? SL2_F64_NEAR_CUT_LOCUS : SL2_F64_OK;
 }
 
 sl2_f64_status sl2_f64_control(const sl2_f64_params *params, const sl2_f64_state *state,

@@ -916,7 +916,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -930,7 +930,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     /* lower_40: I = L D L^T, entry of L [1] */
     const float lower_40 = inertia_4/divisor_0;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_1;
     if (inertia_9 > 0.0F) {
         divisor_1 = inertia_9;
@@ -944,7 +944,7 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_2;
     if (pivot_2 > 0.0F) {
         divisor_2 = pivot_2;
@@ -1585,16 +1585,14 @@ static two_bodies_f32_status two_bodies_f32_refuse(const two_bodies_f32_state *s
 static two_bodies_f32_status two_bodies_f32_verdict(const float clearance,
         two_bodies_f32_command *command)
 {
-    two_bodies_f32_status status = TWO_BODIES_F32_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
             && isfinite(command->force[3]) && isfinite(command->force[4])
             && isfinite(command->force[5]) && isfinite(command->force[6])
             && isfinite(command->force[7]) && isfinite(command->force[8]))) {
         *command = two_bodies_f32_nothing;
-        status = TWO_BODIES_F32_NONFINITE_INPUT;
+        return TWO_BODIES_F32_NONFINITE_INPUT;
     }
-    return clearance < TWO_BODIES_F32_NEAR_CUT ? two_bodies_f32_worse(status,
-            TWO_BODIES_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < TWO_BODIES_F32_NEAR_CUT ? TWO_BODIES_F32_NEAR_CUT_LOCUS : TWO_BODIES_F32_OK;
 }
 
 two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params,

@@ -951,7 +951,7 @@ static void two_bodies_f64_definiteness(const two_bodies_f64_params *params, dou
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -965,7 +965,7 @@ static void two_bodies_f64_definiteness(const two_bodies_f64_params *params, dou
     /* lower_40: I = L D L^T, entry of L [1] */
     const double lower_40 = inertia_4/divisor_0;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_1;
     if (inertia_9 > 0.0) {
         divisor_1 = inertia_9;
@@ -979,7 +979,7 @@ static void two_bodies_f64_definiteness(const two_bodies_f64_params *params, dou
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_2;
     if (pivot_2 > 0.0) {
         divisor_2 = pivot_2;
@@ -1620,16 +1620,14 @@ static two_bodies_f64_status two_bodies_f64_refuse(const two_bodies_f64_state *s
 static two_bodies_f64_status two_bodies_f64_verdict(const double clearance,
         two_bodies_f64_command *command)
 {
-    two_bodies_f64_status status = TWO_BODIES_F64_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
             && isfinite(command->force[3]) && isfinite(command->force[4])
             && isfinite(command->force[5]) && isfinite(command->force[6])
             && isfinite(command->force[7]) && isfinite(command->force[8]))) {
         *command = two_bodies_f64_nothing;
-        status = TWO_BODIES_F64_NONFINITE_INPUT;
+        return TWO_BODIES_F64_NONFINITE_INPUT;
     }
-    return clearance < TWO_BODIES_F64_NEAR_CUT ? two_bodies_f64_worse(status,
-            TWO_BODIES_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < TWO_BODIES_F64_NEAR_CUT ? TWO_BODIES_F64_NEAR_CUT_LOCUS : TWO_BODIES_F64_OK;
 }
 
 two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params,

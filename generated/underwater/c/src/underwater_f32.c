@@ -671,7 +671,7 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
         inertia_18 = params->inertia[18], inertia_19 = params->inertia[19],
         inertia_20 = params->inertia[20];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_0;
     if (inertia_0 > 0.0F) {
         divisor_0 = inertia_0;
@@ -697,7 +697,7 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const float pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_1;
     if (pivot_1 > 0.0F) {
         divisor_1 = pivot_1;
@@ -720,7 +720,7 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_2;
     if (pivot_2 > 0.0F) {
         divisor_2 = pivot_2;
@@ -744,7 +744,7 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
     const float pivot_3 = inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32;
 
-    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_3;
     if (pivot_3 > 0.0F) {
         divisor_3 = pivot_3;
@@ -764,7 +764,7 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
     const float pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
-    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     float divisor_4;
     if (pivot_4 > 0.0F) {
         divisor_4 = pivot_4;
@@ -1312,15 +1312,13 @@ static underwater_f32_status underwater_f32_refuse(const underwater_f32_state *s
 static underwater_f32_status underwater_f32_verdict(const float clearance,
         underwater_f32_command *command)
 {
-    underwater_f32_status status = UNDERWATER_F32_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
             && isfinite(command->force[3]) && isfinite(command->force[4])
             && isfinite(command->force[5]))) {
         *command = underwater_f32_nothing;
-        status = UNDERWATER_F32_NONFINITE_INPUT;
+        return UNDERWATER_F32_NONFINITE_INPUT;
     }
-    return clearance < UNDERWATER_F32_NEAR_CUT ? underwater_f32_worse(status,
-            UNDERWATER_F32_NEAR_CUT_LOCUS) : status;
+    return clearance < UNDERWATER_F32_NEAR_CUT ? UNDERWATER_F32_NEAR_CUT_LOCUS : UNDERWATER_F32_OK;
 }
 
 underwater_f32_status underwater_f32_control(const underwater_f32_params *params,

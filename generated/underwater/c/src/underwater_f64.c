@@ -707,7 +707,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
         inertia_18 = params->inertia[18], inertia_19 = params->inertia[19],
         inertia_20 = params->inertia[20];
 
-    /* divisor_0: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_0;
     if (inertia_0 > 0.0) {
         divisor_0 = inertia_0;
@@ -733,7 +733,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const double pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
-    /* divisor_1: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_1;
     if (pivot_1 > 0.0) {
         divisor_1 = pivot_1;
@@ -756,7 +756,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
-    /* divisor_2: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_2;
     if (pivot_2 > 0.0) {
         divisor_2 = pivot_2;
@@ -780,7 +780,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     const double pivot_3 = inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32;
 
-    /* divisor_3: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_3;
     if (pivot_3 > 0.0) {
         divisor_3 = pivot_3;
@@ -800,7 +800,7 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     const double pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
-    /* divisor_4: the pivot, or 1 where it is bad [kg m^2, kg m, kg] */
+    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
     double divisor_4;
     if (pivot_4 > 0.0) {
         divisor_4 = pivot_4;
@@ -1348,15 +1348,13 @@ static underwater_f64_status underwater_f64_refuse(const underwater_f64_state *s
 static underwater_f64_status underwater_f64_verdict(const double clearance,
         underwater_f64_command *command)
 {
-    underwater_f64_status status = UNDERWATER_F64_OK;
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
             && isfinite(command->force[3]) && isfinite(command->force[4])
             && isfinite(command->force[5]))) {
         *command = underwater_f64_nothing;
-        status = UNDERWATER_F64_NONFINITE_INPUT;
+        return UNDERWATER_F64_NONFINITE_INPUT;
     }
-    return clearance < UNDERWATER_F64_NEAR_CUT ? underwater_f64_worse(status,
-            UNDERWATER_F64_NEAR_CUT_LOCUS) : status;
+    return clearance < UNDERWATER_F64_NEAR_CUT ? UNDERWATER_F64_NEAR_CUT_LOCUS : UNDERWATER_F64_OK;
 }
 
 underwater_f64_status underwater_f64_control(const underwater_f64_params *params,
