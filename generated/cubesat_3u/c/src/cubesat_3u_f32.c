@@ -1,154 +1,5 @@
 /*
- * cubesat_3u_f32: gsmc on SO3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
-         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg
-         m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
-         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_3', 3],
-         ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name': 'rate_gain', 'size': 1,
-         'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar': True, 'holder': 'params',
-         'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument': 'lambda_', 'shape': (1,)},
-         {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc': 'reaching rate', 'source': '',
-         'is_scalar': True, 'holder': 'params', 'member': 'k_s', 'entries': [['reach_gain', 0]],
-         'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body
-         velocity', 'source': '', 'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries':
-         [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name':
-         'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'internal momentum, of wheels', 'source':
-         '', 'is_scalar': False, 'holder': 'state', 'member': 'momentum', 'entries': [['momentum_0',
-         0], ['momentum_1', 1], ['momentum_2', 2]], 'argument': 'momentum', 'shape': (3,)}, {'name':
-         'nu_r', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity, reference body frame',
-         'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu', 'entries':
-         [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'argument': 'nu_r', 'shape': (3,)}, {'name':
-         'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'its rate', 'source': '', 'is_scalar':
-         False, 'holder': 'reference', 'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0],
-         ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument': 'nu_r_dot', 'shape': (3,)}, {'name':
-         'g_e', 'size': 9, 'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)',
-         'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1],
-         ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7],
-         ['g_e_8', 8]], 'argument': 'g_e', 'shape': (9,)}], 'steps': [{'name': 'eta', 'size': 3,
-         'unit': 'rad/s', 'doc': 'reference velocity in the body frame', 'source': 'eq. (velErr)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'],
-         'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0
-         + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2', 'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']],
-         'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc': 'velocity error',
-         'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
-         eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit':
-         'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
-         'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1'],
-         ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 -
-         eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 +
-         g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'cases': []}, {'name': 'pairs', 'size': 4, 'unit': '1',
-         'doc': "what B's diagonal is made of", 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'], 'lines': [['pairs_0',
-         '1.0F + g_e_0'], ['pairs_1', '1.0F - g_e_0'], ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3',
-         'g_e_4 - g_e_8']], 'cases': []}, {'name': 'B', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p
-         = (v, w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5',
-         'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 - pairs_2'], ['B_1', 'g_e_1 +
-         g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', 'pairs_1 + pairs_3'],
-         ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', 'pairs_1 - pairs_3'], ['B_8',
-         'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases': []}, {'name': 'column', 'size':
-         4, 'unit': '1', 'doc': 'a column of B that cannot vanish', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['column_0', 'column_1', 'column_2',
-         'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0',
-         'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition':
-         '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
-         ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
-         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
-         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
-         ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1', 'doc': 'the column after
-         one power step', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0', 'B_0*column_0 +
-         B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 +
-         B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 +
-         B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3']],
-         'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of its vector
-         part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'],
-         'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']], 'cases': []},
-         {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'], 'lines':
-         [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name': 'norm_bounded',
-         'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [], 'cases':
-         [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]}, {'condition':
-         '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1',
-         'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['norm'], 'lines': [['norm', 'sqrtf(norm_bounded)']], 'cases': []}, {'name':
-         'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines': [['inverse_norm',
-         '1.0F/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to unit
-         length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition': 'power_3 <
-         0.0F', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines': [['scale',
-         'inverse_norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error
-         angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'],
-         'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1',
-         'doc': 'half angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['k'], 'lines': [['k', 'cubesat_3u_f32_k(w)']], 'cases': []}, {'name':
-         'h_raw', 'size': 1, 'unit': '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k",
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['h_raw'], 'lines':
-         [['h_raw', '(1.0F - k*w)/(square + 1.0e-8F)']], 'cases': []}, {'name': 'reach', 'size': 1,
-         'unit': '1', 'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['reach'], 'lines': [['reach', 'k*scale']], 'cases':
-         []}, {'name': 'stretch', 'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['stretch'], 'lines':
-         [['stretch', '2.0F*reach']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad',
-         'doc': 'kinematic law, the rotation vector', 'source': 'eq. (KinCtrlLawSO3)', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines':
-         [['nu_u_0', 'power_0*stretch'], ['nu_u_1', 'power_1*stretch'], ['nu_u_2',
-         'power_2*stretch']], 'cases': []}, {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc':
-         'vector part x nu_e, its share', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['turn_0', 'turn_1', 'turn_2'], 'lines': [['turn_0', 'nu_e_2*power_1 -
-         nu_e_1*power_2'], ['turn_1', 'nu_e_0*power_2 - nu_e_2*power_0'], ['turn_2', 'nu_e_1*power_0
-         - nu_e_0*power_1']], 'cases': []}, {'name': 'bend', 'size': 3, 'unit': 'rad/s', 'doc':
-         'vector part x that', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0', 'power_1*turn_2 -
-         power_2*turn_1'], ['bend_1', 'power_2*turn_0 - power_0*turn_2'], ['bend_2', 'power_0*turn_1
-         - power_1*turn_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc':
-         'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'nu_e_0 +
-         bend_0*h_raw + reach*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h_raw + reach*turn_1'],
-         ['nu_u_dot_2', 'nu_e_2 + bend_2*h_raw + reach*turn_2']], 'cases': []}, {'name': 'drive',
-         'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'], 'lines':
-         [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
-         'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
-         'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'],
-         ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted',
-         'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
-         [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
-         - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
-         'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
-         nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
-         'whole_momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu and the internal momentum',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['whole_momentum_0',
-         'whole_momentum_1', 'whole_momentum_2'], 'lines': [['whole_momentum_0', 'momentum_0 +
-         inertia_0*nu_0'], ['whole_momentum_1', 'momentum_1 + inertia_3*nu_1'], ['whole_momentum_2',
-         'momentum_2 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m',
-         'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0',
-         'inertia_0*wanted_0 + turning_2*whole_momentum_1 - turning_1*whole_momentum_2'],
-         ['force_1', 'inertia_3*wanted_1 + turning_0*whole_momentum_2 -
-         turning_2*whole_momentum_0'], ['force_2', 'inertia_5*wanted_2 + turning_1*whole_momentum_0
-         - turning_0*whole_momentum_1']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
-         'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's',
-         'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False,
-         'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u',
-         'size': 3, 'unit': 'rad', 'doc': 'kinematic law', 'source': '', 'is_scalar': False,
-         'holder': 'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
-         'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate', 'source': '', 'is_scalar':
-         False, 'holder': 'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
-         'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut
-         locus of the law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance',
-         'entries': ['w']}], 'operations': 179, 'temporaries': 72, 'symbol': 'tracking',
-         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
-         'momentum', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command',
-         'clearance'], 'public_writes': ['command', 'clearance']}, float precision.
+ * cubesat_3u_f32: gsmc on SO3, law log (the rotation vector), float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "cubesat_3u_f32.h"
@@ -158,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -189,7 +44,22 @@ static inline float cubesat_3u_f32_k(const float w)
     return sum;
 }
 
-static const cubesat_3u_f32_command cubesat_3u_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void cubesat_3u_f32_nothing(cubesat_3u_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -672,7 +542,7 @@ static cubesat_3u_f32_status cubesat_3u_f32_refuse(const cubesat_3u_f32_state *s
             cubesat_3u_f32_inspect(reference->nu, 3, CUBESAT_3U_F32_MAX_INPUT));
     worst = cubesat_3u_f32_worse(worst,
             cubesat_3u_f32_inspect(reference->nu_dot, 3, CUBESAT_3U_F32_MAX_INPUT));
-    *command = cubesat_3u_f32_nothing;
+    cubesat_3u_f32_nothing(command);
     return worst;
 }
 
@@ -694,7 +564,7 @@ static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params
         const float force = command->force[i]*share;
         command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
         if (!(fabsf(command->force[i]) <= limit)) {
-            *command = cubesat_3u_f32_nothing;
+            cubesat_3u_f32_nothing(command);
             return CUBESAT_3U_F32_NONFINITE_INPUT;
         }
     }

@@ -1,69 +1,5 @@
 /*
- * paper_so3_lsf_printed_f64: lsf_printed on SO3, law {'name': 'tracking', 'doc': 'LSF force that
-         tracks (g_r, nu_r)', 'source': 'eq. (Ctrls2)', 'inputs': [{'name': 'inertia', 'size': 6,
-         'unit': 'kg m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar':
-         False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1',
-         1], ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
-         'inertia', 'shape': (6,)}, {'name': 'k', 'size': 1, 'unit': '1/s', 'doc': 'gain of s',
-         'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k', 'entries': [['k', 0]],
-         'argument': 'k', 'shape': (1,)}, {'name': 'kappa', 'size': 1, 'unit': '1/s^2', 'doc': 'gain
-         of the attitude error', 'source': '', 'is_scalar': True, 'holder': 'params', 'member':
-         'kappa', 'entries': [['kappa', 0]], 'argument': 'kappa', 'shape': (1,)}, {'name': 'nu',
-         'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False,
-         'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]],
-         'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc':
-         'reference velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder':
-         'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]],
-         'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2',
-         'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member':
-         'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
-         'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 9, 'unit': '1', 'doc': 'error, g_r^-1
-         g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
-         [['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7]],
-         'argument': 'g_e', 'shape': (9,)}], 'steps': [{'name': 'nu_u', 'size': 3, 'unit': 'rad',
-         'doc': 'attitude error, 2 sin(angle) axis', 'source': 'eq. (s2)', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
-         'g_e_7 - g_e_5'], ['nu_u_1', 'g_e_2 - g_e_6'], ['nu_u_2', 'g_e_3 - g_e_1']], 'cases': []},
-         {'name': 'raw', 'size': 3, 'unit': 'rad/s', 'doc': 'nu - nu_r, each in its own body frame',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['raw_0', 'raw_1',
-         'raw_2'], 'lines': [['raw_0', 'nu_0 - nu_r_0'], ['raw_1', 'nu_1 - nu_r_1'], ['raw_2', 'nu_2
-         - nu_r_2']], 'cases': []}, {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'kappa/k',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'], 'lines':
-         [['ratio', 'kappa/k']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
-         'sliding variable', 'source': 'eq. (s2)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'raw_0 + nu_u_0*ratio'], ['s_1', 'raw_1 +
-         nu_u_1*ratio'], ['s_2', 'raw_2 + nu_u_2*ratio']], 'cases': []}, {'name': 'wanted', 'size':
-         3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
-         [['wanted_0', 'nu_r_dot_0 - k*s_0'], ['wanted_1', 'nu_r_dot_1 - k*s_1'], ['wanted_2',
-         'nu_r_dot_2 - k*s_2']], 'cases': []}, {'name': 'crossing', 'size': 3, 'unit': 'rad/s^2',
-         'doc': 'nu x nu_r', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['crossing_0', 'crossing_1', 'crossing_2'], 'lines': [['crossing_0', 'nu_1*nu_r_2 -
-         nu_2*nu_r_1'], ['crossing_1', 'nu_2*nu_r_0 - nu_0*nu_r_2'], ['crossing_2', 'nu_0*nu_r_1 -
-         nu_1*nu_r_0']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I
-         nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['momentum_0',
-         'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 +
-         inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'],
-         ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']], 'cases': []}, {'name':
-         'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': 'eq. (Ctrls2)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'],
-         'lines': [['force_0', 'inertia_0*wanted_0 - crossing_0 + inertia_1*wanted_1 +
-         inertia_2*wanted_2 + momentum_2*nu_1 - momentum_1*nu_2'], ['force_1', 'inertia_1*wanted_0 -
-         crossing_1 + inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_0*nu_2 - momentum_2*nu_0'],
-         ['force_2', 'inertia_2*wanted_0 - crossing_2 + inertia_4*wanted_1 + inertia_5*wanted_2 +
-         momentum_1*nu_0 - momentum_0*nu_1']], 'cases': []}], 'outputs': [{'name': 'force', 'size':
-         3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's',
-         'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False,
-         'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u',
-         'size': 3, 'unit': 'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False,
-         'holder': 'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name':
-         'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the law',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries': ['1.0']}],
-         'operations': 73, 'temporaries': 22, 'symbol': 'tracking', 'is_public': False, 'holders':
-         ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
-         'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes': ['command',
-         'clearance']}, double precision.
+ * paper_so3_lsf_printed_f64: lsf_printed on SO3, law skew (sin(angle) axis), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_so3_lsf_printed_f64.h"
@@ -73,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -86,8 +26,19 @@ const paper_so3_lsf_printed_f64_params paper_so3_lsf_printed_f64_defaults = {
     1.0e-6 /* max_drift */
 };
 
-static const paper_so3_lsf_printed_f64_command paper_so3_lsf_printed_f64_nothing = { {0.0}, {0.0},
-        {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void paper_so3_lsf_printed_f64_nothing(paper_so3_lsf_printed_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+}
 
 /* LSF force that tracks (g_r, nu_r); eq. (Ctrls2), past the error. Gives the distance from the cut
         locus. */
@@ -335,21 +286,20 @@ static paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_refuse(const
     worst = paper_so3_lsf_printed_f64_worse(worst,
             paper_so3_lsf_printed_f64_inspect(reference->nu_dot, 3,
                     PAPER_SO3_LSF_PRINTED_F64_MAX_INPUT));
-    *command = paper_so3_lsf_printed_f64_nothing;
+    paper_so3_lsf_printed_f64_nothing(command);
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_verdict(const double clearance,
-        paper_so3_lsf_printed_f64_command *command)
+/* What a computed command is worth. */
+static paper_so3_lsf_printed_f64_status
+        paper_so3_lsf_printed_f64_verdict(paper_so3_lsf_printed_f64_command *command)
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = paper_so3_lsf_printed_f64_nothing;
+        paper_so3_lsf_printed_f64_nothing(command);
         return PAPER_SO3_LSF_PRINTED_F64_NONFINITE_INPUT;
     }
-    return clearance < PAPER_SO3_LSF_PRINTED_F64_NEAR_CUT ? PAPER_SO3_LSF_PRINTED_F64_NEAR_CUT_LOCUS
-            : PAPER_SO3_LSF_PRINTED_F64_OK;
+    return PAPER_SO3_LSF_PRINTED_F64_OK;
 }
 
 paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_control(const
@@ -358,7 +308,6 @@ paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_control(const
         const paper_so3_lsf_printed_f64_reference *reference,
         paper_so3_lsf_printed_f64_command *command)
 {
-    double clearance;
 /* none may be null: a precondition, which the self-test checks */
 #ifdef PAPER_SO3_LSF_PRINTED_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
@@ -423,9 +372,9 @@ paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_control(const
         return paper_so3_lsf_printed_f64_refuse(state, reference,
                 PAPER_SO3_LSF_PRINTED_F64_NOT_ON_GROUP, command);
     }
-    clearance = paper_so3_lsf_printed_f64_law(params, state, reference, command, g_e_1, g_e_2,
-            g_e_3, g_e_5, g_e_6, g_e_7);
-    return paper_so3_lsf_printed_f64_verdict(clearance, command);
+    (void)paper_so3_lsf_printed_f64_law(params, state, reference, command, g_e_1, g_e_2, g_e_3,
+            g_e_5, g_e_6, g_e_7);
+    return paper_so3_lsf_printed_f64_verdict(command);
 }
 
 paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_check_params(const

@@ -1,117 +1,5 @@
 /*
- * paper_so3_pd_plus_f64: pd_plus on SO3, law {'name': 'tracking', 'doc': 'PD+ force that tracks
-         (g_r, nu_r)', 'source': 'eq. (Ctrls3)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit':
-         'kg m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
-         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1],
-         ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
-         'inertia', 'shape': (6,)}, {'name': 'k_R', 'size': 1, 'unit': 'N m', 'doc': 'gain of the
-         attitude error', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_R',
-         'entries': [['k_R', 0]], 'argument': 'k_R', 'shape': (1,)}, {'name': 'k_Omega', 'size': 1,
-         'unit': 'N m s', 'doc': 'gain of s', 'source': '', 'is_scalar': True, 'holder': 'params',
-         'member': 'k_Omega', 'entries': [['k_Omega', 0]], 'argument': 'k_Omega', 'shape': (1,)},
-         {'name': 'nu', 'size': 3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '',
-         'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1',
-         1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit':
-         'rad/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar':
-         False, 'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
-         ['nu_r_2', 2]], 'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit':
-         'rad/s^2', 'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference',
-         'member': 'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]],
-         'argument': 'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 9, 'unit': '1', 'doc':
-         'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
-         'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4],
-         ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8]], 'argument': 'g_e', 'shape':
-         (9,)}], 'steps': [{'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc': 'reference velocity in
-         the body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 +
-         g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2',
-         'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']], 'cases': []}, {'name': 'nu_e', 'size': 3,
-         'unit': 'rad/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0',
-         'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []},
-         {'name': 'given', 'size': 3, 'unit': 'rad/s^2', 'doc': 'nu_r_dot in the body frame',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['given_0',
-         'given_1', 'given_2'], 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 +
-         g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'],
-         ['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'cases': []},
-         {'name': 'pairs', 'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source':
-         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['pairs_0', 'pairs_1',
-         'pairs_2', 'pairs_3'], 'lines': [['pairs_0', '1.0 + g_e_0'], ['pairs_1', '1.0 - g_e_0'],
-         ['pairs_2', 'g_e_4 + g_e_8'], ['pairs_3', 'g_e_4 - g_e_8']], 'cases': []}, {'name': 'B',
-         'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of
-         Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0',
-         'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0
-         - pairs_2'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'],
-         ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7',
-         'pairs_1 - pairs_3'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases':
-         []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0',
-         'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0',
-         'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
-         'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
-         ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >=
-         B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
-         'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'],
-         ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1',
-         'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0',
-         'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 +
-         B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
-         B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
-         B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of
-         its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']],
-         'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'],
-         'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name':
-         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
-         'cases': [{'condition': 'norm_square < 49.0', 'lines': [['norm_bounded', '49.0']]},
-         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
-         1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []},
-         {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
-         [['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1',
-         'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
-         'power_3 < 0.0', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines':
-         [['scale', 'inverse_norm']]}]}, {'name': 'w', 'size': 1, 'unit': '1', 'doc': 'cos of half
-         the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['w'], 'lines': [['w', 'power_3*scale']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit':
-         'rad', 'doc': 'attitude error, sin(angle/2) axis', 'source': 'eq. (s3)', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines':
-         [['nu_u_0', 'power_0*scale'], ['nu_u_1', 'power_1*scale'], ['nu_u_2', 'power_2*scale']],
-         'cases': []}, {'name': 'ratio', 'size': 1, 'unit': '1/s', 'doc': 'k_R/k_Omega', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['ratio'], 'lines': [['ratio',
-         'k_R/k_Omega']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding
-         variable', 'source': 'eq. (s3)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'nu_e_0 + nu_u_0*ratio'], ['s_1', 'nu_e_1 +
-         nu_u_1*ratio'], ['s_2', 'nu_e_2 + nu_u_2*ratio']], 'cases': []}, {'name': 'momentum',
-         'size': 3, 'unit': 'N m s', 'doc': 'I eta', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0',
-         'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1', 'eta_0*inertia_1 +
-         eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 + eta_1*inertia_4 +
-         eta_2*inertia_5']], 'cases': []}, {'name': 'force', 'size': 3, 'unit': 'N m', 'doc':
-         'control force', 'source': 'eq. (Ctrls3)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'eta_1*momentum_2 +
-         given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2 - eta_2*momentum_1 -
-         k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 + given_0*inertia_1 + given_1*inertia_3 +
-         given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'], ['force_2', 'eta_0*momentum_1 +
-         given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 - eta_1*momentum_0 -
-         k_Omega*s_2']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3, 'unit': 'N m',
-         'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member':
-         'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3, 'unit':
-         'rad/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder': 'command',
-         'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3, 'unit':
-         'rad', 'doc': 'attitude error', 'source': '', 'is_scalar': False, 'holder': 'command',
-         'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2']}, {'name': 'clearance', 'size':
-         1, 'unit': '1', 'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': 'clearance', 'entries': ['w']}], 'operations': 144,
-         'temporaries': 51, 'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state',
-         'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
-         'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
-         precision.
+ * paper_so3_pd_plus_f64: pd_plus on SO3, law lee (sin(angle/2) axis), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_so3_pd_plus_f64.h"
@@ -121,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -134,7 +26,19 @@ const paper_so3_pd_plus_f64_params paper_so3_pd_plus_f64_defaults = {
     1.0e-6 /* max_drift */
 };
 
-static const paper_so3_pd_plus_f64_command paper_so3_pd_plus_f64_nothing = { {0.0}, {0.0}, {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void paper_so3_pd_plus_f64_nothing(paper_so3_pd_plus_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+}
 
 /* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3), past the error. Gives the distance from the cut
         locus. */
@@ -460,7 +364,7 @@ static paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_refuse(const paper_so3
             paper_so3_pd_plus_f64_inspect(reference->nu, 3, PAPER_SO3_PD_PLUS_F64_MAX_INPUT));
     worst = paper_so3_pd_plus_f64_worse(worst,
             paper_so3_pd_plus_f64_inspect(reference->nu_dot, 3, PAPER_SO3_PD_PLUS_F64_MAX_INPUT));
-    *command = paper_so3_pd_plus_f64_nothing;
+    paper_so3_pd_plus_f64_nothing(command);
     return worst;
 }
 
@@ -470,7 +374,7 @@ static paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_verdict(const double c
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = paper_so3_pd_plus_f64_nothing;
+        paper_so3_pd_plus_f64_nothing(command);
         return PAPER_SO3_PD_PLUS_F64_NONFINITE_INPUT;
     }
     return clearance < PAPER_SO3_PD_PLUS_F64_NEAR_CUT ? PAPER_SO3_PD_PLUS_F64_NEAR_CUT_LOCUS :

@@ -1,145 +1,5 @@
 /*
- * quadrotor_f64: gsmc on S3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
-         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'kg
-         m^2', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False,
-         'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_2', 2],
-         ['inertia_3', 3], ['inertia_5', 5]], 'argument': 'inertia', 'shape': (6,)}, {'name':
-         'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
-         True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
-         'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
-         'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
-         'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size':
-         3, 'unit': 'rad/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False, 'holder':
-         'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'argument':
-         'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit': 'rad/s', 'doc': 'reference
-         velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference',
-         'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'argument':
-         'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': 'rad/s^2', 'doc': 'its
-         rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot',
-         'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
-         'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1
-         g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
-         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape':
-         (4,)}], 'steps': [{'name': 'double', 'size': 3, 'unit': '1', 'doc': 'twice the vector
-         part', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['double_0',
-         'double_1', 'double_2'], 'lines': [['double_0', '2.0*g_e_1'], ['double_1', '2.0*g_e_2'],
-         ['double_2', '2.0*g_e_3']], 'cases': []}, {'name': 'to_body', 'size': 9, 'unit': '1',
-         'doc': 'Ad of g_e^-1: reference to body frame', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3',
-         'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0',
-         '1.0 - double_1*g_e_2 - double_2*g_e_3'], ['to_body_1', 'double_0*g_e_2 + double_2*g_e_0'],
-         ['to_body_2', 'double_0*g_e_3 - double_1*g_e_0'], ['to_body_3', 'double_0*g_e_2 -
-         double_2*g_e_0'], ['to_body_4', '1.0 - double_0*g_e_1 - double_2*g_e_3'], ['to_body_5',
-         'double_0*g_e_0 + double_1*g_e_3'], ['to_body_6', 'double_0*g_e_3 + double_1*g_e_0'],
-         ['to_body_7', 'double_1*g_e_3 - double_0*g_e_0'], ['to_body_8', '1.0 - double_0*g_e_1 -
-         double_1*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3, 'unit': 'rad/s', 'doc':
-         'reference velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0',
-         'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 +
-         nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 +
-         nu_r_2*to_body_8']], 'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': 'rad/s', 'doc':
-         'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
-         'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3,
-         'unit': 'rad/s^2', 'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder':
-         '', 'member': '', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
-         'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
-         eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
-         nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
-         nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'cases': []}, {'name':
-         'square', 'size': 1, 'unit': '1', 'doc': 'square of its vector part', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['square'], 'lines': [['square',
-         'g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'cases': []}, {'name': 'norm_square', 'size':
-         1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['norm_square'], 'lines': [['norm_square', 'square + g_e_0*g_e_0']],
-         'cases': []}, {'name': 'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no
-         element', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['norm_bounded'], 'lines': [], 'cases': [{'condition': 'norm_square < 1.0e-8', 'lines':
-         [['norm_bounded', '1.0e-8']]}, {'condition': '', 'lines': [['norm_bounded',
-         'norm_square']]}]}, {'name': 'norm', 'size': 1, 'unit': '1', 'doc': 'its length', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm'], 'lines': [['norm',
-         'sqrt(norm_bounded)']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1', 'doc': 'to
-         unit length', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['scale'], 'lines': [['scale', '1.0/norm']], 'cases': []}, {'name': 'w', 'size': 1, 'unit':
-         '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['w'], 'lines': [['w', 'g_e_0*scale']], 'cases': []}, {'name':
-         'k_near', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, for |w|', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_near'], 'lines': [['k_near',
-         'quadrotor_f64_k(fabs(w))']], 'cases': []}, {'name': 'divisor', 'size': 1, 'unit': '1',
-         'doc': 'the same, never zero', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['divisor'], 'lines': [], 'cases': [{'condition': 'w >= 0.0', 'lines':
-         [['divisor', 'square + 1.0e-17']]}, {'condition': 'square > (1.0e-60*1.0e-60)', 'lines':
-         [['divisor', 'square']]}, {'condition': '', 'lines': [['divisor', '1.0e-60*1.0e-60']]}]},
-         {'name': 'distance', 'size': 1, 'unit': '1', 'doc': 'distance from -i: |v| beyond pi, and 1
-         before', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['distance'], 'lines': [], 'cases': [{'condition': 'w >= 0.0', 'lines': [['distance',
-         '1.0']]}, {'condition': '', 'lines': [['distance', 'scale*sqrt(divisor)']]}]}, {'name':
-         'k', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine, on to 2 pi', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['k'], 'lines': [], 'cases':
-         [{'condition': 'w >= 0.0', 'lines': [['k', 'k_near']]}, {'condition': '', 'lines': [['k',
-         '3.141592653589793/distance - k_near']]}]}, {'name': 'h_raw', 'size': 1, 'unit': '1',
-         'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k", 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['h_raw'], 'lines': [['h_raw', '(1.0 -
-         k*w)/divisor']], 'cases': []}, {'name': 'reach', 'size': 1, 'unit': '1', 'doc': 'p by the
-         scale, but for a number', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['reach'], 'lines': [['reach', 'k*scale']], 'cases': []}, {'name': 'stretch',
-         'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['stretch'], 'lines': [['stretch',
-         '2.0*reach']], 'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic
-         law, the rotation vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'lines': [['nu_u_0',
-         'g_e_1*stretch'], ['nu_u_1', 'g_e_2*stretch'], ['nu_u_2', 'g_e_3*stretch']], 'cases': []},
-         {'name': 'turn', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x nu_e, its share',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_0', 'turn_1',
-         'turn_2'], 'lines': [['turn_0', 'g_e_2*nu_e_2 - g_e_3*nu_e_1'], ['turn_1', 'g_e_3*nu_e_0 -
-         g_e_1*nu_e_2'], ['turn_2', 'g_e_1*nu_e_1 - g_e_2*nu_e_0']], 'cases': []}, {'name': 'bend',
-         'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['bend_0', 'bend_1', 'bend_2'], 'lines': [['bend_0',
-         'g_e_2*turn_2 - g_e_3*turn_1'], ['bend_1', 'g_e_3*turn_0 - g_e_1*turn_2'], ['bend_2',
-         'g_e_1*turn_1 - g_e_2*turn_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 3, 'unit':
-         'rad/s', 'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'lines': [['nu_u_dot_0',
-         'nu_e_0 + bend_0*h_raw + reach*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h_raw +
-         reach*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h_raw + reach*turn_2']], 'cases': []},
-         {'name': 'drive', 'size': 3, 'unit': 'rad/s', 'doc': 'lambda nu_u', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0', 'drive_1', 'drive_2'],
-         'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
-         'nu_u_2*rate_gain']], 'cases': []}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc':
-         'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines': [['s_0', 'drive_0 + nu_e_0'],
-         ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'cases': []}, {'name': 'wanted',
-         'size': 3, 'unit': 'rad/s^2', 'doc': 'acceleration asked for', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'lines':
-         [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
-         - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2']], 'cases': []}, {'name': 'turning', 'size': 3, 'unit': 'rad/s', 'doc':
-         'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['turning_0', 'turning_1', 'turning_2'], 'lines': [['turning_0', 's_0 -
-         nu_0'], ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name':
-         'momentum', 'size': 3, 'unit': 'N m s', 'doc': 'I nu', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'lines':
-         [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'],
-         ['momentum_2', 'inertia_2*nu_0 + inertia_5*nu_2']], 'cases': []}, {'name': 'force', 'size':
-         3, 'unit': 'N m', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2'], 'lines':
-         [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 -
-         momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0 -
-         momentum_0*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2 +
-         momentum_0*turning_1 - momentum_1*turning_0']], 'cases': []}], 'outputs': [{'name':
-         'force', 'size': 3, 'unit': 'N m', 'doc': 'control force', 'source': '', 'is_scalar':
-         False, 'holder': 'command', 'member': 'force', 'entries': ['force_0', 'force_1',
-         'force_2']}, {'name': 's', 'size': 3, 'unit': 'rad/s', 'doc': 'sliding variable', 'source':
-         '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1',
-         's_2']}, {'name': 'nu_u', 'size': 3, 'unit': 'rad', 'doc': 'kinematic law', 'source': '',
-         'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['nu_u_0', 'nu_u_1',
-         'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3, 'unit': 'rad/s', 'doc': 'its exact rate',
-         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u_dot', 'entries':
-         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']}, {'name': 'clearance', 'size': 1, 'unit': '1',
-         'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': 'clearance', 'entries': ['distance']}], 'operations': 172, 'temporaries': 64,
-         'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
-         'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes':
-         ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double precision.
+ * quadrotor_f64: gsmc on S3, law log (the rotation vector), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "quadrotor_f64.h"
@@ -149,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -192,7 +56,22 @@ static inline double quadrotor_f64_k(const double w)
     return sum;
 }
 
-static const quadrotor_f64_command quadrotor_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void quadrotor_f64_nothing(quadrotor_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -635,7 +514,7 @@ static quadrotor_f64_status quadrotor_f64_refuse(const quadrotor_f64_state *stat
             quadrotor_f64_inspect(reference->nu, 3, QUADROTOR_F64_MAX_INPUT));
     worst = quadrotor_f64_worse(worst,
             quadrotor_f64_inspect(reference->nu_dot, 3, QUADROTOR_F64_MAX_INPUT));
-    *command = quadrotor_f64_nothing;
+    quadrotor_f64_nothing(command);
     return worst;
 }
 
@@ -657,7 +536,7 @@ static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *p
         const double force = command->force[i]*share;
         command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
         if (!(fabs(command->force[i]) <= limit)) {
-            *command = quadrotor_f64_nothing;
+            quadrotor_f64_nothing(command);
             return QUADROTOR_F64_NONFINITE_INPUT;
         }
     }
@@ -678,7 +557,7 @@ static quadrotor_f64_status quadrotor_f64_verdict(const quadrotor_f64_params *pa
         }
     }
     if (clearance < QUADROTOR_F64_REFUSED_CUT) {
-        *command = quadrotor_f64_nothing;
+        quadrotor_f64_nothing(command);
         return QUADROTOR_F64_OUT_OF_RANGE;
     }
     return clearance < QUADROTOR_F64_NEAR_CUT ? QUADROTOR_F64_NEAR_CUT_LOCUS : status;

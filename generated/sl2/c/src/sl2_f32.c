@@ -1,96 +1,5 @@
 /*
- * sl2_f32: gsmc on SL2, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r, nu_r)',
-         'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 6, 'unit': 'J s^2',
-         'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar': False, 'holder':
-         'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1', 1],
-         ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'argument':
-         'inertia', 'shape': (6,)}, {'name': 'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding
-         rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'lambda', 'entries':
-         [['rate_gain', 0]], 'argument': 'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size':
-         1, 'unit': '1/s', 'doc': 'reaching rate', 'source': '', 'is_scalar': True, 'holder':
-         'params', 'member': 'k_s', 'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape':
-         (1,)}, {'name': 'nu', 'size': 3, 'unit': '1/s', 'doc': 'body velocity', 'source': '',
-         'is_scalar': False, 'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1',
-         1], ['nu_2', 2]], 'argument': 'nu', 'shape': (3,)}, {'name': 'nu_r', 'size': 3, 'unit':
-         '1/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar': False,
-         'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2',
-         2]], 'argument': 'nu_r', 'shape': (3,)}, {'name': 'nu_r_dot', 'size': 3, 'unit': '1/s^2',
-         'doc': 'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member':
-         'nu_dot', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'argument':
-         'nu_r_dot', 'shape': (3,)}, {'name': 'g_e', 'size': 4, 'unit': '1', 'doc': 'error, g_r^-1
-         g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': 'g_e', 'entries':
-         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'argument': 'g_e', 'shape':
-         (4,)}], 'steps': [{'name': 'to_body', 'size': 9, 'unit': '1', 'doc': 'Ad of g_e^-1:
-         reference to body frame', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5',
-         'to_body_6', 'to_body_7', 'to_body_8'], 'lines': [['to_body_0', 'g_e_3*g_e_3'],
-         ['to_body_1', '-g_e_1*g_e_1'], ['to_body_2', '2.0F*g_e_1*g_e_3'], ['to_body_3',
-         '-g_e_2*g_e_2'], ['to_body_4', 'g_e_0*g_e_0'], ['to_body_5', '-2.0F*g_e_0*g_e_2'],
-         ['to_body_6', 'g_e_2*g_e_3'], ['to_body_7', '-g_e_0*g_e_1'], ['to_body_8', 'g_e_0*g_e_3 +
-         g_e_1*g_e_2']], 'cases': []}, {'name': 'eta', 'size': 3, 'unit': '1/s', 'doc': 'reference
-         velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['eta_0', 'eta_1', 'eta_2'], 'lines': [['eta_0', 'nu_r_0*to_body_0 +
-         nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 +
-         nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']],
-         'cases': []}, {'name': 'nu_e', 'size': 3, 'unit': '1/s', 'doc': 'velocity error', 'source':
-         'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0',
-         'nu_e_1', 'nu_e_2'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'],
-         ['nu_e_2', 'nu_2 - eta_2']], 'cases': []}, {'name': 'eta_dot', 'size': 3, 'unit': '1/s^2',
-         'doc': 'exact rate of eta', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'lines': [['eta_dot_0',
-         'nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - 2.0F*eta_0*nu_e_2 +
-         2.0F*eta_2*nu_e_0'], ['eta_dot_1', 'nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
-         nu_r_dot_2*to_body_5 - 2.0F*eta_2*nu_e_1 + 2.0F*eta_1*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1
-         + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']],
-         'cases': []}, {'name': 'nu_u', 'size': 3, 'unit': '1', 'doc': 'kinematic law, vee(g -
-         g^-1)/2', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['nu_u_2'], 'lines': [['nu_u_2', '0.5F*(g_e_0 - g_e_3)']], 'cases': []}, {'name':
-         'nu_u_dot', 'size': 3, 'unit': '1/s', 'doc': 'exact rate of nu_u', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
-         'nu_u_dot_2'], 'lines': [['nu_u_dot_0', 'g_e_0*nu_e_0 - g_e_1*nu_e_2'], ['nu_u_dot_1',
-         'g_e_2*nu_e_2 + g_e_3*nu_e_1'], ['nu_u_dot_2', '0.5F*(g_e_0*nu_e_2 + g_e_1*nu_e_1 +
-         g_e_3*nu_e_2 - g_e_2*nu_e_0)']], 'cases': []}, {'name': 'drive', 'size': 3, 'unit': '1/s',
-         'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['drive_0', 'drive_1', 'drive_2'], 'lines': [['drive_0', 'g_e_1*rate_gain'],
-         ['drive_1', 'g_e_2*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'cases': []}, {'name':
-         's', 'size': 3, 'unit': '1/s', 'doc': 'sliding variable', 'source': 'eq. (SurfaceErr)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['s_0', 's_1', 's_2'], 'lines':
-         [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']],
-         'cases': []}, {'name': 'wanted', 'size': 3, 'unit': '1/s^2', 'doc': 'acceleration asked
-         for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0',
-         'wanted_1', 'wanted_2'], 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
-         reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'],
-         ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'cases': []}, {'name':
-         'turning', 'size': 3, 'unit': '1/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1',
-         'turning_2'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 - nu_1'],
-         ['turning_2', 's_2 - nu_2']], 'cases': []}, {'name': 'momentum', 'size': 3, 'unit': 'J s',
-         'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['momentum_0', 'momentum_1', 'momentum_2'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
-         inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 +
-         inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']],
-         'cases': []}, {'name': 'force', 'size': 3, 'unit': 'J', 'doc': 'control force, I f_u',
-         'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['force_0', 'force_1', 'force_2'], 'lines': [['force_0', 'inertia_0*wanted_0 +
-         inertia_1*wanted_1 + inertia_2*wanted_2 - momentum_2*turning_1 +
-         2.0F*momentum_0*turning_2'], ['force_1', 'inertia_1*wanted_0 + inertia_3*wanted_1 +
-         inertia_4*wanted_2 + momentum_2*turning_0 - 2.0F*momentum_1*turning_2'], ['force_2',
-         'inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 - 2.0F*momentum_0*turning_0 +
-         2.0F*momentum_1*turning_1']], 'cases': []}], 'outputs': [{'name': 'force', 'size': 3,
-         'unit': 'J', 'doc': 'control force', 'source': '', 'is_scalar': False, 'holder': 'command',
-         'member': 'force', 'entries': ['force_0', 'force_1', 'force_2']}, {'name': 's', 'size': 3,
-         'unit': '1/s', 'doc': 'sliding variable', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2']}, {'name': 'nu_u', 'size': 3,
-         'unit': '1', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder': 'command',
-         'member': 'nu_u', 'entries': ['g_e_1', 'g_e_2', 'nu_u_2']}, {'name': 'nu_u_dot', 'size': 3,
-         'unit': '1/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2']},
-         {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the
-         law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
-         ['1.0F']}], 'operations': 148, 'temporaries': 40, 'symbol': 'tracking', 'is_public': False,
-         'holders': ['params', 'state', 'reference'], 'arguments': ['nu', 'nu_r', 'nu_r_dot',
-         'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'], 'public_writes':
-         ['command', 'clearance']}, float precision.
+ * sl2_f32: gsmc on SL2, law skew (vee(g - g^-1)/2), float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "sl2_f32.h"
@@ -100,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -113,7 +26,22 @@ const sl2_f32_params sl2_f32_defaults = {
     0.0001F /* max_drift */
 };
 
-static const sl2_f32_command sl2_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void sl2_f32_nothing(sl2_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -438,25 +366,24 @@ static sl2_f32_status sl2_f32_refuse(const sl2_f32_state *state, const sl2_f32_r
             sl2_f32_inspect(reference->nu, 3, SL2_F32_MAX_INPUT));
     worst = sl2_f32_worse(worst,
             sl2_f32_inspect(reference->nu_dot, 3, SL2_F32_MAX_INPUT));
-    *command = sl2_f32_nothing;
+    sl2_f32_nothing(command);
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static sl2_f32_status sl2_f32_verdict(const float clearance, sl2_f32_command *command)
+/* What a computed command is worth. */
+static sl2_f32_status sl2_f32_verdict(sl2_f32_command *command)
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = sl2_f32_nothing;
+        sl2_f32_nothing(command);
         return SL2_F32_NONFINITE_INPUT;
     }
-    return clearance < SL2_F32_NEAR_CUT ? SL2_F32_NEAR_CUT_LOCUS : SL2_F32_OK;
+    return SL2_F32_OK;
 }
 
 sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state *state,
         const sl2_f32_reference *reference, sl2_f32_command *command)
 {
-    float clearance;
 #ifdef SL2_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return SL2_F32_BAD_PARAMS;
@@ -509,8 +436,8 @@ sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state
     if (!(drift <= params->max_drift*params->max_drift)) {
         return sl2_f32_refuse(state, reference, SL2_F32_NOT_ON_GROUP, command);
     }
-    clearance = sl2_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
-    return sl2_f32_verdict(clearance, command);
+    (void)sl2_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+    return sl2_f32_verdict(command);
 }
 
 sl2_f32_status sl2_f32_check_params(const sl2_f32_params *params)

@@ -1,342 +1,6 @@
 /*
- * two_bodies_f32: gsmc on SE3 x SO3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to
-         (g_r, nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 45, 'unit':
-         'kg m^2, kg m, kg', 'doc': 'inertia, upper triangle, row by row', 'source': '',
-         'is_scalar': False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0],
-         ['inertia_2', 2], ['inertia_4', 4], ['inertia_9', 9], ['inertia_11', 11], ['inertia_17',
-         17], ['inertia_24', 24], ['inertia_30', 30], ['inertia_35', 35], ['inertia_39', 39],
-         ['inertia_42', 42], ['inertia_44', 44]], 'argument': 'inertia', 'shape': (45,)}, {'name':
-         'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
-         True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
-         'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
-         'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
-         'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size':
-         9, 'unit': 'rad/s, m/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False,
-         'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2],
-         ['nu_3', 3], ['nu_4', 4], ['nu_5', 5], ['nu_6', 6], ['nu_7', 7], ['nu_8', 8]], 'argument':
-         'nu', 'shape': (9,)}, {'name': 'nu_r', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'reference
-         velocity, reference body frame', 'source': '', 'is_scalar': False, 'holder': 'reference',
-         'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2], ['nu_r_3', 3],
-         ['nu_r_4', 4], ['nu_r_5', 5], ['nu_r_6', 6], ['nu_r_7', 7], ['nu_r_8', 8]], 'argument':
-         'nu_r', 'shape': (9,)}, {'name': 'nu_r_dot', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc':
-         'its rate', 'source': '', 'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot',
-         'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2], ['nu_r_dot_3', 3],
-         ['nu_r_dot_4', 4], ['nu_r_dot_5', 5], ['nu_r_dot_6', 6], ['nu_r_dot_7', 7], ['nu_r_dot_8',
-         8]], 'argument': 'nu_r_dot', 'shape': (9,)}, {'name': 'g_e', 'size': 25, 'unit': '1',
-         'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '',
-         'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3],
-         ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8], ['g_e_9', 9],
-         ['g_e_10', 10], ['g_e_11', 11], ['g_e_16', 16], ['g_e_17', 17], ['g_e_18', 18], ['g_e_19',
-         19], ['g_e_20', 20], ['g_e_21', 21], ['g_e_22', 22], ['g_e_23', 23], ['g_e_24', 24]],
-         'argument': 'g_e', 'shape': (25,)}], 'steps': [{'name': 'eta_arm_0_a', 'size': 3, 'unit':
-         'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['eta_arm_0_a_0', 'eta_arm_0_a_1', 'eta_arm_0_a_2'], 'lines':
-         [['eta_arm_0_a_0', 'nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2'], ['eta_arm_0_a_1', 'nu_r_4 +
-         g_e_3*nu_r_2 - g_e_11*nu_r_0'], ['eta_arm_0_a_2', 'nu_r_5 + g_e_7*nu_r_0 - g_e_3*nu_r_1']],
-         'cases': []}, {'name': 'eta', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'reference velocity
-         in the body frame', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['eta_0', 'eta_1', 'eta_2', 'eta_3', 'eta_4', 'eta_5', 'eta_6', 'eta_7',
-         'eta_8'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_4*nu_r_1 + g_e_8*nu_r_2'], ['eta_1',
-         'g_e_1*nu_r_0 + g_e_5*nu_r_1 + g_e_9*nu_r_2'], ['eta_2', 'g_e_10*nu_r_2 + g_e_2*nu_r_0 +
-         g_e_6*nu_r_1'], ['eta_3', 'eta_arm_0_a_0*g_e_0 + eta_arm_0_a_1*g_e_4 +
-         eta_arm_0_a_2*g_e_8'], ['eta_4', 'eta_arm_0_a_0*g_e_1 + eta_arm_0_a_1*g_e_5 +
-         eta_arm_0_a_2*g_e_9'], ['eta_5', 'eta_arm_0_a_0*g_e_2 + eta_arm_0_a_1*g_e_6 +
-         eta_arm_0_a_2*g_e_10'], ['eta_6', 'g_e_16*nu_r_6 + g_e_19*nu_r_7 + g_e_22*nu_r_8'],
-         ['eta_7', 'g_e_17*nu_r_6 + g_e_20*nu_r_7 + g_e_23*nu_r_8'], ['eta_8', 'g_e_18*nu_r_6 +
-         g_e_21*nu_r_7 + g_e_24*nu_r_8']], 'cases': []}, {'name': 'nu_e', 'size': 9, 'unit': 'rad/s,
-         m/s', 'doc': 'velocity error', 'source': 'eq. (velErr)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2', 'nu_e_3', 'nu_e_4', 'nu_e_5',
-         'nu_e_6', 'nu_e_7', 'nu_e_8'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
-         eta_1'], ['nu_e_2', 'nu_2 - eta_2'], ['nu_e_3', 'nu_3 - eta_3'], ['nu_e_4', 'nu_4 -
-         eta_4'], ['nu_e_5', 'nu_5 - eta_5'], ['nu_e_6', 'nu_6 - eta_6'], ['nu_e_7', 'nu_7 -
-         eta_7'], ['nu_e_8', 'nu_8 - eta_8']], 'cases': []}, {'name': 'eta_dot_arm_0_a', 'size': 3,
-         'unit': 'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['eta_dot_arm_0_a_0', 'eta_dot_arm_0_a_1', 'eta_dot_arm_0_a_2'],
-         'lines': [['eta_dot_arm_0_a_0', 'nu_r_dot_3 + g_e_11*nu_r_dot_1 - g_e_7*nu_r_dot_2'],
-         ['eta_dot_arm_0_a_1', 'nu_r_dot_4 + g_e_3*nu_r_dot_2 - g_e_11*nu_r_dot_0'],
-         ['eta_dot_arm_0_a_2', 'nu_r_dot_5 + g_e_7*nu_r_dot_0 - g_e_3*nu_r_dot_1']], 'cases': []},
-         {'name': 'eta_dot', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc': 'exact rate of eta',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0',
-         'eta_dot_1', 'eta_dot_2', 'eta_dot_3', 'eta_dot_4', 'eta_dot_5', 'eta_dot_6', 'eta_dot_7',
-         'eta_dot_8'], 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_4*nu_r_dot_1 +
-         g_e_8*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 +
-         g_e_5*nu_r_dot_1 + g_e_9*nu_r_dot_2 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 +
-         g_e_10*nu_r_dot_2 + g_e_2*nu_r_dot_0 + g_e_6*nu_r_dot_1 - eta_1*nu_e_0'], ['eta_dot_3',
-         'eta_1*nu_e_5 + eta_4*nu_e_2 + eta_dot_arm_0_a_0*g_e_0 + eta_dot_arm_0_a_1*g_e_4 +
-         eta_dot_arm_0_a_2*g_e_8 - eta_2*nu_e_4 - eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 +
-         eta_5*nu_e_0 + eta_dot_arm_0_a_0*g_e_1 + eta_dot_arm_0_a_1*g_e_5 + eta_dot_arm_0_a_2*g_e_9
-         - eta_0*nu_e_5 - eta_3*nu_e_2'], ['eta_dot_5', 'eta_0*nu_e_4 + eta_3*nu_e_1 +
-         eta_dot_arm_0_a_0*g_e_2 + eta_dot_arm_0_a_1*g_e_6 + eta_dot_arm_0_a_2*g_e_10 - eta_1*nu_e_3
-         - eta_4*nu_e_0'], ['eta_dot_6', 'eta_7*nu_e_8 + g_e_16*nu_r_dot_6 + g_e_19*nu_r_dot_7 +
-         g_e_22*nu_r_dot_8 - eta_8*nu_e_7'], ['eta_dot_7', 'eta_8*nu_e_6 + g_e_17*nu_r_dot_6 +
-         g_e_20*nu_r_dot_7 + g_e_23*nu_r_dot_8 - eta_6*nu_e_8'], ['eta_dot_8', 'eta_6*nu_e_7 +
-         g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8 - eta_7*nu_e_6']], 'cases': []},
-         {'name': 'pairs_a', 'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of",
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['pairs_a_0',
-         'pairs_a_1', 'pairs_a_2', 'pairs_a_3'], 'lines': [['pairs_a_0', '1.0F + g_e_0'],
-         ['pairs_a_1', '1.0F - g_e_0'], ['pairs_a_2', 'g_e_10 + g_e_5'], ['pairs_a_3', 'g_e_5 -
-         g_e_10']], 'cases': []}, {'name': 'B_a', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v,
-         w), by rows', 'source': 'polar factor of Markley and Bar-Itzhack', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['B_a_0', 'B_a_1', 'B_a_2', 'B_a_3', 'B_a_4', 'B_a_5',
-         'B_a_6', 'B_a_7', 'B_a_8', 'B_a_9'], 'lines': [['B_a_0', 'pairs_a_0 - pairs_a_2'],
-         ['B_a_1', 'g_e_1 + g_e_4'], ['B_a_2', 'g_e_2 + g_e_8'], ['B_a_3', 'g_e_9 - g_e_6'],
-         ['B_a_4', 'pairs_a_1 + pairs_a_3'], ['B_a_5', 'g_e_6 + g_e_9'], ['B_a_6', 'g_e_2 - g_e_8'],
-         ['B_a_7', 'pairs_a_1 - pairs_a_3'], ['B_a_8', 'g_e_4 - g_e_1'], ['B_a_9', 'pairs_a_0 +
-         pairs_a_2']], 'cases': []}, {'name': 'column_a', 'size': 4, 'unit': '1', 'doc': 'a column
-         of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['column_a_0', 'column_a_1', 'column_a_2', 'column_a_3'], 'lines': [], 'cases':
-         [{'condition': 'B_a_9 >= 1.0F', 'lines': [['column_a_0', 'B_a_3'], ['column_a_1', 'B_a_6'],
-         ['column_a_2', 'B_a_8'], ['column_a_3', 'B_a_9']]}, {'condition': '(B_a_0 >= B_a_4) &&
-         (B_a_0 >= B_a_7)', 'lines': [['column_a_0', 'B_a_0'], ['column_a_1', 'B_a_1'],
-         ['column_a_2', 'B_a_2'], ['column_a_3', 'B_a_3']]}, {'condition': 'B_a_4 >= B_a_7',
-         'lines': [['column_a_0', 'B_a_1'], ['column_a_1', 'B_a_4'], ['column_a_2', 'B_a_5'],
-         ['column_a_3', 'B_a_6']]}, {'condition': '', 'lines': [['column_a_0', 'B_a_2'],
-         ['column_a_1', 'B_a_5'], ['column_a_2', 'B_a_7'], ['column_a_3', 'B_a_8']]}]}, {'name':
-         'power_a', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_a_0', 'power_a_1',
-         'power_a_2', 'power_a_3'], 'lines': [['power_a_0', 'B_a_0*column_a_0 + B_a_1*column_a_1 +
-         B_a_2*column_a_2 + B_a_3*column_a_3'], ['power_a_1', 'B_a_1*column_a_0 + B_a_4*column_a_1 +
-         B_a_5*column_a_2 + B_a_6*column_a_3'], ['power_a_2', 'B_a_2*column_a_0 + B_a_5*column_a_1 +
-         B_a_7*column_a_2 + B_a_8*column_a_3'], ['power_a_3', 'B_a_3*column_a_0 + B_a_6*column_a_1 +
-         B_a_8*column_a_2 + B_a_9*column_a_3']], 'cases': []}, {'name': 'square_a', 'size': 1,
-         'unit': '1', 'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': '', 'names': ['square_a'], 'lines': [['square_a', 'power_a_0*power_a_0 +
-         power_a_1*power_a_1 + power_a_2*power_a_2']], 'cases': []}, {'name': 'norm_square_a',
-         'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['norm_square_a'], 'lines': [['norm_square_a',
-         'square_a + power_a_3*power_a_3']], 'cases': []}, {'name': 'norm_bounded_a', 'size': 1,
-         'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['norm_bounded_a'], 'lines': [], 'cases':
-         [{'condition': 'norm_square_a < 49.0F', 'lines': [['norm_bounded_a', '49.0F']]},
-         {'condition': '', 'lines': [['norm_bounded_a', 'norm_square_a']]}]}, {'name': 'norm_a',
-         'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['norm_a'], 'lines': [['norm_a', 'sqrtf(norm_bounded_a)']], 'cases':
-         []}, {'name': 'inverse_norm_a', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm_a'], 'lines':
-         [['inverse_norm_a', '1.0F/norm_a']], 'cases': []}, {'name': 'scale_a', 'size': 1, 'unit':
-         '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_a'], 'lines': [], 'cases':
-         [{'condition': 'power_a_3 < 0.0F', 'lines': [['scale_a', '-inverse_norm_a']]},
-         {'condition': '', 'lines': [['scale_a', 'inverse_norm_a']]}]}, {'name': 'cosine_a', 'size':
-         1, 'unit': '1', 'doc': 'cos of half the error angle, rounded', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['cosine_a'], 'lines': [['cosine_a',
-         'power_a_3*scale_a']], 'cases': []}, {'name': 'w_a', 'size': 1, 'unit': '1', 'doc': 'cos of
-         half the error angle', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['w_a'], 'lines': [], 'cases': [{'condition': 'cosine_a > 1.0F', 'lines': [['w_a',
-         '1.0F']]}, {'condition': '', 'lines': [['w_a', 'cosine_a']]}]}, {'name': 'v_a', 'size': 3,
-         'unit': '1', 'doc': 'sin of half the error angle times its axis', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['v_a_0', 'v_a_1', 'v_a_2'],
-         'lines': [['v_a_0', 'power_a_0*scale_a'], ['v_a_1', 'power_a_1*scale_a'], ['v_a_2',
-         'power_a_2*scale_a']], 'cases': []}, {'name': 'k_a', 'size': 1, 'unit': '1', 'doc': 'half
-         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['k_a'], 'lines': [['k_a', 'two_bodies_f32_k(w_a)']], 'cases': []}, {'name': 'h_a', 'size':
-         1, 'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['h_a'], 'lines': [['h_a', 'two_bodies_f32_h(w_a)']], 'cases': []}, {'name':
-         'phi_a', 'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['phi_a_0', 'phi_a_1', 'phi_a_2'],
-         'lines': [['phi_a_0', '2.0F*k_a*v_a_0'], ['phi_a_1', '2.0F*k_a*v_a_1'], ['phi_a_2',
-         '2.0F*k_a*v_a_2']], 'cases': []}, {'name': 'half_a', 'size': 1, 'unit': '1', 'doc': '1/(2
-         k)', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['half_a'],
-         'lines': [['half_a', '0.5F/k_a']], 'cases': []}, {'name': 'swing_p_a', 'size': 3, 'unit':
-         'm', 'doc': 'Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['swing_p_a_0', 'swing_p_a_1', 'swing_p_a_2'], 'lines': [['swing_p_a_0', 'g_e_11*v_a_1 -
-         g_e_7*v_a_2'], ['swing_p_a_1', 'g_e_3*v_a_2 - g_e_11*v_a_0'], ['swing_p_a_2', 'g_e_7*v_a_0
-         - g_e_3*v_a_1']], 'cases': []}, {'name': 'sway_p_a', 'size': 3, 'unit': 'm', 'doc': 'Y Y
-         p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['sway_p_a_0',
-         'sway_p_a_1', 'sway_p_a_2'], 'lines': [['sway_p_a_0', 'swing_p_a_2*v_a_1 -
-         swing_p_a_1*v_a_2'], ['sway_p_a_1', 'swing_p_a_0*v_a_2 - swing_p_a_2*v_a_0'],
-         ['sway_p_a_2', 'swing_p_a_1*v_a_0 - swing_p_a_0*v_a_1']], 'cases': []}, {'name': 'rho_p_a',
-         'size': 3, 'unit': 'm', 'doc': 'p - k Y p + h Y Y p', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['rho_p_a_0', 'rho_p_a_1', 'rho_p_a_2'], 'lines':
-         [['rho_p_a_0', 'g_e_3 + h_a*sway_p_a_0 - k_a*swing_p_a_0'], ['rho_p_a_1', 'g_e_7 +
-         h_a*sway_p_a_1 - k_a*swing_p_a_1'], ['rho_p_a_2', 'g_e_11 + h_a*sway_p_a_2 -
-         k_a*swing_p_a_2']], 'cases': []}, {'name': 'y_p_a', 'size': 3, 'unit': 'm', 'doc': 'rho/(2
-         k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['y_p_a_0',
-         'y_p_a_1', 'y_p_a_2'], 'lines': [['y_p_a_0', 'half_a*rho_p_a_0'], ['y_p_a_1',
-         'half_a*rho_p_a_1'], ['y_p_a_2', 'half_a*rho_p_a_2']], 'cases': []}, {'name': 'pairs_b',
-         'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['pairs_b_0', 'pairs_b_1', 'pairs_b_2',
-         'pairs_b_3'], 'lines': [['pairs_b_0', '1.0F + g_e_16'], ['pairs_b_1', '1.0F - g_e_16'],
-         ['pairs_b_2', 'g_e_20 + g_e_24'], ['pairs_b_3', 'g_e_20 - g_e_24']], 'cases': []}, {'name':
-         'B_b', 'size': 10, 'unit': '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar
-         factor of Markley and Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['B_b_0', 'B_b_1', 'B_b_2', 'B_b_3', 'B_b_4', 'B_b_5', 'B_b_6', 'B_b_7', 'B_b_8',
-         'B_b_9'], 'lines': [['B_b_0', 'pairs_b_0 - pairs_b_2'], ['B_b_1', 'g_e_17 + g_e_19'],
-         ['B_b_2', 'g_e_18 + g_e_22'], ['B_b_3', 'g_e_23 - g_e_21'], ['B_b_4', 'pairs_b_1 +
-         pairs_b_3'], ['B_b_5', 'g_e_21 + g_e_23'], ['B_b_6', 'g_e_18 - g_e_22'], ['B_b_7',
-         'pairs_b_1 - pairs_b_3'], ['B_b_8', 'g_e_19 - g_e_17'], ['B_b_9', 'pairs_b_0 +
-         pairs_b_2']], 'cases': []}, {'name': 'column_b', 'size': 4, 'unit': '1', 'doc': 'a column
-         of B that cannot vanish', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['column_b_0', 'column_b_1', 'column_b_2', 'column_b_3'], 'lines': [], 'cases':
-         [{'condition': 'B_b_9 >= 1.0F', 'lines': [['column_b_0', 'B_b_3'], ['column_b_1', 'B_b_6'],
-         ['column_b_2', 'B_b_8'], ['column_b_3', 'B_b_9']]}, {'condition': '(B_b_0 >= B_b_4) &&
-         (B_b_0 >= B_b_7)', 'lines': [['column_b_0', 'B_b_0'], ['column_b_1', 'B_b_1'],
-         ['column_b_2', 'B_b_2'], ['column_b_3', 'B_b_3']]}, {'condition': 'B_b_4 >= B_b_7',
-         'lines': [['column_b_0', 'B_b_1'], ['column_b_1', 'B_b_4'], ['column_b_2', 'B_b_5'],
-         ['column_b_3', 'B_b_6']]}, {'condition': '', 'lines': [['column_b_0', 'B_b_2'],
-         ['column_b_1', 'B_b_5'], ['column_b_2', 'B_b_7'], ['column_b_3', 'B_b_8']]}]}, {'name':
-         'power_b', 'size': 4, 'unit': '1', 'doc': 'the column after one power step', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['power_b_0', 'power_b_1',
-         'power_b_2', 'power_b_3'], 'lines': [['power_b_0', 'B_b_0*column_b_0 + B_b_1*column_b_1 +
-         B_b_2*column_b_2 + B_b_3*column_b_3'], ['power_b_1', 'B_b_1*column_b_0 + B_b_4*column_b_1 +
-         B_b_5*column_b_2 + B_b_6*column_b_3'], ['power_b_2', 'B_b_2*column_b_0 + B_b_5*column_b_1 +
-         B_b_7*column_b_2 + B_b_8*column_b_3'], ['power_b_3', 'B_b_3*column_b_0 + B_b_6*column_b_1 +
-         B_b_8*column_b_2 + B_b_9*column_b_3']], 'cases': []}, {'name': 'square_b', 'size': 1,
-         'unit': '1', 'doc': 'square of its vector part', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': '', 'names': ['square_b'], 'lines': [['square_b', 'power_b_0*power_b_0 +
-         power_b_1*power_b_1 + power_b_2*power_b_2']], 'cases': []}, {'name': 'norm_square_b',
-         'size': 1, 'unit': '1', 'doc': 'its squared length', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['norm_square_b'], 'lines': [['norm_square_b',
-         'square_b + power_b_3*power_b_3']], 'cases': []}, {'name': 'norm_bounded_b', 'size': 1,
-         'unit': '1', 'doc': 'the same: less is no element', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['norm_bounded_b'], 'lines': [], 'cases':
-         [{'condition': 'norm_square_b < 49.0F', 'lines': [['norm_bounded_b', '49.0F']]},
-         {'condition': '', 'lines': [['norm_bounded_b', 'norm_square_b']]}]}, {'name': 'norm_b',
-         'size': 1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['norm_b'], 'lines': [['norm_b', 'sqrtf(norm_bounded_b)']], 'cases':
-         []}, {'name': 'inverse_norm_b', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm_b'], 'lines':
-         [['inverse_norm_b', '1.0F/norm_b']], 'cases': []}, {'name': 'scale_b', 'size': 1, 'unit':
-         '1', 'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['scale_b'], 'lines': [], 'cases':
-         [{'condition': 'power_b_3 < 0.0F', 'lines': [['scale_b', '-inverse_norm_b']]},
-         {'condition': '', 'lines': [['scale_b', 'inverse_norm_b']]}]}, {'name': 'w_b', 'size': 1,
-         'unit': '1', 'doc': 'cos of half the error angle', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['w_b'], 'lines': [['w_b', 'power_b_3*scale_b']],
-         'cases': []}, {'name': 'k_b', 'size': 1, 'unit': '1', 'doc': 'half angle over its sine',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['k_b'], 'lines':
-         [['k_b', 'two_bodies_f32_k(w_b)']], 'cases': []}, {'name': 'h_raw_b', 'size': 1, 'unit':
-         '1', 'doc': "-dk/dw by the scale's square, as s^2 h = 1 - w k", 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['h_raw_b'], 'lines': [['h_raw_b', '(1.0F -
-         k_b*w_b)/(square_b + 1.0e-8F)']], 'cases': []}, {'name': 'reach_b', 'size': 1, 'unit': '1',
-         'doc': 'p by the scale, but for a number', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['reach_b'], 'lines': [['reach_b', 'k_b*scale_b']], 'cases': []},
-         {'name': 'stretch_b', 'size': 1, 'unit': '1', 'doc': 'ratio of nu_u to the vector part',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['stretch_b'],
-         'lines': [['stretch_b', '2.0F*reach_b']], 'cases': []}, {'name': 'clearance_0', 'size': 1,
-         'unit': '1', 'doc': 'the smaller clearance', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['clearance_0'], 'lines': [], 'cases': [{'condition': 'w_a <= w_b',
-         'lines': [['clearance_0', 'w_a']]}, {'condition': '', 'lines': [['clearance_0', 'w_b']]}]},
-         {'name': 'nu_u', 'size': 9, 'unit': 'rad, m', 'doc': 'kinematic law, the logarithm and the
-         rotation vector', 'source': 'def. (KctrLaw)', 'is_scalar': False, 'holder': '', 'member':
-         '', 'names': ['nu_u_6', 'nu_u_7', 'nu_u_8'], 'lines': [['nu_u_6', 'power_b_0*stretch_b'],
-         ['nu_u_7', 'power_b_1*stretch_b'], ['nu_u_8', 'power_b_2*stretch_b']], 'cases': []},
-         {'name': 'turn_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source':
-         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['turn_a_0', 'turn_a_1',
-         'turn_a_2', 'turn_a_3', 'turn_a_4', 'turn_a_5'], 'lines': [['turn_a_0', 'nu_e_2*v_a_1 -
-         nu_e_1*v_a_2'], ['turn_a_1', 'nu_e_0*v_a_2 - nu_e_2*v_a_0'], ['turn_a_2', 'nu_e_1*v_a_0 -
-         nu_e_0*v_a_1'], ['turn_a_3', 'nu_e_2*y_p_a_1 + nu_e_5*v_a_1 - nu_e_1*y_p_a_2 -
-         nu_e_4*v_a_2'], ['turn_a_4', 'nu_e_0*y_p_a_2 + nu_e_3*v_a_2 - nu_e_2*y_p_a_0 -
-         nu_e_5*v_a_0'], ['turn_a_5', 'nu_e_1*y_p_a_0 + nu_e_4*v_a_0 - nu_e_0*y_p_a_1 -
-         nu_e_3*v_a_1']], 'cases': []}, {'name': 'bend_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc':
-         'Y Y nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['bend_a_0', 'bend_a_1', 'bend_a_2', 'bend_a_3', 'bend_a_4', 'bend_a_5'], 'lines':
-         [['bend_a_0', 'turn_a_2*v_a_1 - turn_a_1*v_a_2'], ['bend_a_1', 'turn_a_0*v_a_2 -
-         turn_a_2*v_a_0'], ['bend_a_2', 'turn_a_1*v_a_0 - turn_a_0*v_a_1'], ['bend_a_3',
-         'turn_a_2*y_p_a_1 + turn_a_5*v_a_1 - turn_a_1*y_p_a_2 - turn_a_4*v_a_2'], ['bend_a_4',
-         'turn_a_0*y_p_a_2 + turn_a_3*v_a_2 - turn_a_2*y_p_a_0 - turn_a_5*v_a_0'], ['bend_a_5',
-         'turn_a_1*y_p_a_0 + turn_a_4*v_a_0 - turn_a_0*y_p_a_1 - turn_a_3*v_a_1']], 'cases': []},
-         {'name': 'm_a', 'size': 1, 'unit': '1', 'doc': '-dh/dw', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['m_a'], 'lines': [['m_a', 'two_bodies_f32_m(w_a)']],
-         'cases': []}, {'name': 'along_p_a', 'size': 1, 'unit': 'm', 'doc': '-2 v.q', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['along_p_a'], 'lines':
-         [['along_p_a', '-2.0F*(v_a_0*y_p_a_0 + v_a_1*y_p_a_1 + v_a_2*y_p_a_2)']], 'cases': []},
-         {'name': 'tail_a', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2 nu_e',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_a_3',
-         'tail_a_4', 'tail_a_5'], 'lines': [['tail_a_3', 'along_p_a*bend_a_0'], ['tail_a_4',
-         'along_p_a*bend_a_1'], ['tail_a_5', 'along_p_a*bend_a_2']], 'cases': []}, {'name':
-         'twofold_a', 'size': 1, 'unit': '1', 'doc': 'h^2 - k m/2, of the double root', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['twofold_a'], 'lines':
-         [['twofold_a', 'h_a*h_a - 0.5F*k_a*m_a']], 'cases': []}, {'name': 'turn_b', 'size': 3,
-         'unit': 'rad/s', 'doc': 'vector part x nu_e, its share', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['turn_b_0', 'turn_b_1', 'turn_b_2'], 'lines':
-         [['turn_b_0', 'nu_e_8*power_b_1 - nu_e_7*power_b_2'], ['turn_b_1', 'nu_e_6*power_b_2 -
-         nu_e_8*power_b_0'], ['turn_b_2', 'nu_e_7*power_b_0 - nu_e_6*power_b_1']], 'cases': []},
-         {'name': 'bend_b', 'size': 3, 'unit': 'rad/s', 'doc': 'vector part x that', 'source': '',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_b_0', 'bend_b_1',
-         'bend_b_2'], 'lines': [['bend_b_0', 'power_b_1*turn_b_2 - power_b_2*turn_b_1'],
-         ['bend_b_1', 'power_b_2*turn_b_0 - power_b_0*turn_b_2'], ['bend_b_2', 'power_b_0*turn_b_1 -
-         power_b_1*turn_b_0']], 'cases': []}, {'name': 'nu_u_dot', 'size': 9, 'unit': 'rad/s, m/s',
-         'doc': 'exact rate of nu_u', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4',
-         'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8'], 'lines': [['nu_u_dot_0', 'nu_e_0 +
-         bend_a_0*h_a + k_a*turn_a_0'], ['nu_u_dot_1', 'nu_e_1 + bend_a_1*h_a + k_a*turn_a_1'],
-         ['nu_u_dot_2', 'nu_e_2 + bend_a_2*h_a + k_a*turn_a_2'], ['nu_u_dot_3', 'nu_e_3 +
-         bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a'], ['nu_u_dot_4', 'nu_e_4 + bend_a_4*h_a +
-         k_a*turn_a_4 + tail_a_4*twofold_a'], ['nu_u_dot_5', 'nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 +
-         tail_a_5*twofold_a'], ['nu_u_dot_6', 'nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0'],
-         ['nu_u_dot_7', 'nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1'], ['nu_u_dot_8', 'nu_e_8 +
-         bend_b_2*h_raw_b + reach_b*turn_b_2']], 'cases': []}, {'name': 'drive', 'size': 9, 'unit':
-         'rad/s, m/s', 'doc': 'lambda nu_u', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5',
-         'drive_6', 'drive_7', 'drive_8'], 'lines': [['drive_0', 'phi_a_0*rate_gain'], ['drive_1',
-         'phi_a_1*rate_gain'], ['drive_2', 'phi_a_2*rate_gain'], ['drive_3', 'rate_gain*rho_p_a_0'],
-         ['drive_4', 'rate_gain*rho_p_a_1'], ['drive_5', 'rate_gain*rho_p_a_2'], ['drive_6',
-         'nu_u_6*rate_gain'], ['drive_7', 'nu_u_7*rate_gain'], ['drive_8', 'nu_u_8*rate_gain']],
-         'cases': []}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'sliding variable',
-         'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5', 's_6', 's_7', 's_8'], 'lines': [['s_0', 'drive_0
-         + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2'], ['s_3', 'drive_3 +
-         nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 + nu_e_5'], ['s_6', 'drive_6 +
-         nu_e_6'], ['s_7', 'drive_7 + nu_e_7'], ['s_8', 'drive_8 + nu_e_8']], 'cases': []}, {'name':
-         'wanted', 'size': 9, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration asked for', 'source':
-         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0', 'wanted_1',
-         'wanted_2', 'wanted_3', 'wanted_4', 'wanted_5', 'wanted_6', 'wanted_7', 'wanted_8'],
-         'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1',
-         'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 -
-         nu_u_dot_2*rate_gain - reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain -
-         reach_gain*s_3'], ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'],
-         ['wanted_5', 'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5'], ['wanted_6', 'eta_dot_6
-         - nu_u_dot_6*rate_gain - reach_gain*s_6'], ['wanted_7', 'eta_dot_7 - nu_u_dot_7*rate_gain -
-         reach_gain*s_7'], ['wanted_8', 'eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8']],
-         'cases': []}, {'name': 'turning', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u -
-         eta, as s - nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['turning_0', 'turning_1', 'turning_2', 'turning_3', 'turning_4', 'turning_5', 'turning_6',
-         'turning_7', 'turning_8'], 'lines': [['turning_0', 's_0 - nu_0'], ['turning_1', 's_1 -
-         nu_1'], ['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'], ['turning_4', 's_4 -
-         nu_4'], ['turning_5', 's_5 - nu_5'], ['turning_6', 's_6 - nu_6'], ['turning_7', 's_7 -
-         nu_7'], ['turning_8', 's_8 - nu_8']], 'cases': []}, {'name': 'momentum', 'size': 9, 'unit':
-         'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4',
-         'momentum_5', 'momentum_6', 'momentum_7', 'momentum_8'], 'lines': [['momentum_0',
-         'inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4'], ['momentum_1', 'inertia_11*nu_3 +
-         inertia_9*nu_1'], ['momentum_2', 'inertia_17*nu_2 + inertia_2*nu_0'], ['momentum_3',
-         'inertia_11*nu_1 + inertia_24*nu_3'], ['momentum_4', 'inertia_30*nu_4 + inertia_4*nu_0'],
-         ['momentum_5', 'inertia_35*nu_5'], ['momentum_6', 'inertia_39*nu_6'], ['momentum_7',
-         'inertia_42*nu_7'], ['momentum_8', 'inertia_44*nu_8']], 'cases': []}, {'name': 'force',
-         'size': 9, 'unit': 'N m, N', 'doc': 'control force, I f_u', 'source': 'eq. (TckCtrl)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['force_0', 'force_1', 'force_2',
-         'force_3', 'force_4', 'force_5', 'force_6', 'force_7', 'force_8'], 'lines': [['force_0',
-         'inertia_0*wanted_0 + inertia_2*wanted_2 + inertia_4*wanted_4 + momentum_1*turning_2 +
-         momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'], ['force_1',
-         'inertia_11*wanted_3 + inertia_9*wanted_1 + momentum_2*turning_0 + momentum_5*turning_3 -
-         momentum_0*turning_2 - momentum_3*turning_5'], ['force_2', 'inertia_17*wanted_2 +
-         inertia_2*wanted_0 + momentum_0*turning_1 + momentum_3*turning_4 - momentum_1*turning_0 -
-         momentum_4*turning_3'], ['force_3', 'inertia_11*wanted_1 + inertia_24*wanted_3 +
-         momentum_4*turning_2 - momentum_5*turning_1'], ['force_4', 'inertia_30*wanted_4 +
-         inertia_4*wanted_0 + momentum_5*turning_0 - momentum_3*turning_2'], ['force_5',
-         'inertia_35*wanted_5 + momentum_3*turning_1 - momentum_4*turning_0'], ['force_6',
-         'inertia_39*wanted_6 + momentum_7*turning_8 - momentum_8*turning_7'], ['force_7',
-         'inertia_42*wanted_7 + momentum_8*turning_6 - momentum_6*turning_8'], ['force_8',
-         'inertia_44*wanted_8 + momentum_6*turning_7 - momentum_7*turning_6']], 'cases': []}],
-         'outputs': [{'name': 'force', 'size': 9, 'unit': 'N m, N', 'doc': 'control force',
-         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force', 'entries':
-         ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5', 'force_6', 'force_7',
-         'force_8']}, {'name': 's', 'size': 9, 'unit': 'rad/s, m/s', 'doc': 'sliding variable',
-         'source': '', 'is_scalar': False, 'holder': 'command', 'member': 's', 'entries': ['s_0',
-         's_1', 's_2', 's_3', 's_4', 's_5', 's_6', 's_7', 's_8']}, {'name': 'nu_u', 'size': 9,
-         'unit': 'rad, m', 'doc': 'kinematic law', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'nu_u', 'entries': ['phi_a_0', 'phi_a_1', 'phi_a_2', 'rho_p_a_0',
-         'rho_p_a_1', 'rho_p_a_2', 'nu_u_6', 'nu_u_7', 'nu_u_8']}, {'name': 'nu_u_dot', 'size': 9,
-         'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2',
-         'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5', 'nu_u_dot_6', 'nu_u_dot_7', 'nu_u_dot_8']},
-         {'name': 'clearance', 'size': 1, 'unit': '1', 'doc': 'distance from the cut locus of the
-         law', 'source': '', 'is_scalar': True, 'holder': '', 'member': 'clearance', 'entries':
-         ['clearance_0']}], 'operations': 614, 'temporaries': 208, 'symbol': 'tracking',
-         'is_public': False, 'holders': ['params', 'state', 'reference'], 'arguments': ['nu',
-         'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True, 'writes': ['command', 'clearance'],
-         'public_writes': ['command', 'clearance']}, float precision.
+ * two_bodies_f32: gsmc on SE3 x SO3, law log (the logarithm and the rotation vector), float
+         precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "two_bodies_f32.h"
@@ -346,6 +10,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -419,7 +87,46 @@ static inline float two_bodies_f32_m(const float w)
     return sum;
 }
 
-static const two_bodies_f32_command two_bodies_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void two_bodies_f32_nothing(two_bodies_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->force[3] = 0.0F;
+    command->force[4] = 0.0F;
+    command->force[5] = 0.0F;
+    command->force[6] = 0.0F;
+    command->force[7] = 0.0F;
+    command->force[8] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->s[3] = 0.0F;
+    command->s[4] = 0.0F;
+    command->s[5] = 0.0F;
+    command->s[6] = 0.0F;
+    command->s[7] = 0.0F;
+    command->s[8] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u[3] = 0.0F;
+    command->nu_u[4] = 0.0F;
+    command->nu_u[5] = 0.0F;
+    command->nu_u[6] = 0.0F;
+    command->nu_u[7] = 0.0F;
+    command->nu_u[8] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+    command->nu_u_dot[3] = 0.0F;
+    command->nu_u_dot[4] = 0.0F;
+    command->nu_u_dot[5] = 0.0F;
+    command->nu_u_dot[6] = 0.0F;
+    command->nu_u_dot[7] = 0.0F;
+    command->nu_u_dot[8] = 0.0F;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -1577,7 +1284,7 @@ static two_bodies_f32_status two_bodies_f32_refuse(const two_bodies_f32_state *s
             two_bodies_f32_inspect(reference->nu, 9, TWO_BODIES_F32_MAX_INPUT));
     worst = two_bodies_f32_worse(worst,
             two_bodies_f32_inspect(reference->nu_dot, 9, TWO_BODIES_F32_MAX_INPUT));
-    *command = two_bodies_f32_nothing;
+    two_bodies_f32_nothing(command);
     return worst;
 }
 
@@ -1589,7 +1296,7 @@ static two_bodies_f32_status two_bodies_f32_verdict(const float clearance,
             && isfinite(command->force[3]) && isfinite(command->force[4])
             && isfinite(command->force[5]) && isfinite(command->force[6])
             && isfinite(command->force[7]) && isfinite(command->force[8]))) {
-        *command = two_bodies_f32_nothing;
+        two_bodies_f32_nothing(command);
         return TWO_BODIES_F32_NONFINITE_INPUT;
     }
     return clearance < TWO_BODIES_F32_NEAR_CUT ? TWO_BODIES_F32_NEAR_CUT_LOCUS : TWO_BODIES_F32_OK;

@@ -1,246 +1,5 @@
 /*
- * underwater_f64: gsmc on SE3, law {'name': 'tracking', 'doc': 'force that drives (g, nu) to (g_r,
-         nu_r)', 'source': 'eq. (TckCtrl)', 'inputs': [{'name': 'inertia', 'size': 21, 'unit': 'kg
-         m^2, kg m, kg', 'doc': 'inertia, upper triangle, row by row', 'source': '', 'is_scalar':
-         False, 'holder': 'params', 'member': 'inertia', 'entries': [['inertia_0', 0], ['inertia_1',
-         1], ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5], ['inertia_6',
-         6], ['inertia_7', 7], ['inertia_8', 8], ['inertia_9', 9], ['inertia_10', 10],
-         ['inertia_11', 11], ['inertia_12', 12], ['inertia_13', 13], ['inertia_14', 14],
-         ['inertia_15', 15], ['inertia_16', 16], ['inertia_17', 17], ['inertia_18', 18],
-         ['inertia_19', 19], ['inertia_20', 20]], 'argument': 'inertia', 'shape': (21,)}, {'name':
-         'rate_gain', 'size': 1, 'unit': '1/s', 'doc': 'sliding rate', 'source': '', 'is_scalar':
-         True, 'holder': 'params', 'member': 'lambda', 'entries': [['rate_gain', 0]], 'argument':
-         'lambda_', 'shape': (1,)}, {'name': 'reach_gain', 'size': 1, 'unit': '1/s', 'doc':
-         'reaching rate', 'source': '', 'is_scalar': True, 'holder': 'params', 'member': 'k_s',
-         'entries': [['reach_gain', 0]], 'argument': 'k_s', 'shape': (1,)}, {'name': 'nu', 'size':
-         6, 'unit': 'rad/s, m/s', 'doc': 'body velocity', 'source': '', 'is_scalar': False,
-         'holder': 'state', 'member': 'nu', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2],
-         ['nu_3', 3], ['nu_4', 4], ['nu_5', 5]], 'argument': 'nu', 'shape': (6,)}, {'name':
-         'external', 'size': 6, 'unit': 'N m, N', 'doc': 'known external force', 'source': '',
-         'is_scalar': False, 'holder': 'state', 'member': 'external', 'entries': [['external_0', 0],
-         ['external_1', 1], ['external_2', 2], ['external_3', 3], ['external_4', 4], ['external_5',
-         5]], 'argument': 'external', 'shape': (6,)}, {'name': 'nu_r', 'size': 6, 'unit': 'rad/s,
-         m/s', 'doc': 'reference velocity, reference body frame', 'source': '', 'is_scalar': False,
-         'holder': 'reference', 'member': 'nu', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2',
-         2], ['nu_r_3', 3], ['nu_r_4', 4], ['nu_r_5', 5]], 'argument': 'nu_r', 'shape': (6,)},
-         {'name': 'nu_r_dot', 'size': 6, 'unit': 'rad/s^2, m/s^2', 'doc': 'its rate', 'source': '',
-         'is_scalar': False, 'holder': 'reference', 'member': 'nu_dot', 'entries': [['nu_r_dot_0',
-         0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2], ['nu_r_dot_3', 3], ['nu_r_dot_4', 4],
-         ['nu_r_dot_5', 5]], 'argument': 'nu_r_dot', 'shape': (6,)}, {'name': 'g_e', 'size': 16,
-         'unit': '1', 'doc': 'error, g_r^-1 g', 'source': 'eq. (velErr)', 'is_scalar': False,
-         'holder': '', 'member': 'g_e', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2],
-         ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8],
-         ['g_e_9', 9], ['g_e_10', 10], ['g_e_11', 11]], 'argument': 'g_e', 'shape': (16,)}],
-         'steps': [{'name': 'eta_arm_0', 'size': 3, 'unit': 'm/s', 'doc': 'velocity at p', 'source':
-         '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_arm_0_0', 'eta_arm_0_1',
-         'eta_arm_0_2'], 'lines': [['eta_arm_0_0', 'nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2'],
-         ['eta_arm_0_1', 'nu_r_4 + g_e_3*nu_r_2 - g_e_11*nu_r_0'], ['eta_arm_0_2', 'nu_r_5 +
-         g_e_7*nu_r_0 - g_e_3*nu_r_1']], 'cases': []}, {'name': 'eta', 'size': 6, 'unit': 'rad/s,
-         m/s', 'doc': 'reference velocity in the body frame', 'source': 'eq. (velErr)', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['eta_0', 'eta_1', 'eta_2', 'eta_3', 'eta_4',
-         'eta_5'], 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_4*nu_r_1 + g_e_8*nu_r_2'], ['eta_1',
-         'g_e_1*nu_r_0 + g_e_5*nu_r_1 + g_e_9*nu_r_2'], ['eta_2', 'g_e_10*nu_r_2 + g_e_2*nu_r_0 +
-         g_e_6*nu_r_1'], ['eta_3', 'eta_arm_0_0*g_e_0 + eta_arm_0_1*g_e_4 + eta_arm_0_2*g_e_8'],
-         ['eta_4', 'eta_arm_0_0*g_e_1 + eta_arm_0_1*g_e_5 + eta_arm_0_2*g_e_9'], ['eta_5',
-         'eta_arm_0_0*g_e_2 + eta_arm_0_1*g_e_6 + eta_arm_0_2*g_e_10']], 'cases': []}, {'name':
-         'nu_e', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'velocity error', 'source': 'eq. (velErr)',
-         'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2',
-         'nu_e_3', 'nu_e_4', 'nu_e_5'], 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
-         eta_1'], ['nu_e_2', 'nu_2 - eta_2'], ['nu_e_3', 'nu_3 - eta_3'], ['nu_e_4', 'nu_4 -
-         eta_4'], ['nu_e_5', 'nu_5 - eta_5']], 'cases': []}, {'name': 'eta_dot_arm_0', 'size': 3,
-         'unit': 'm/s', 'doc': 'velocity at p', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['eta_dot_arm_0_0', 'eta_dot_arm_0_1', 'eta_dot_arm_0_2'], 'lines':
-         [['eta_dot_arm_0_0', 'nu_r_dot_3 + g_e_11*nu_r_dot_1 - g_e_7*nu_r_dot_2'],
-         ['eta_dot_arm_0_1', 'nu_r_dot_4 + g_e_3*nu_r_dot_2 - g_e_11*nu_r_dot_0'],
-         ['eta_dot_arm_0_2', 'nu_r_dot_5 + g_e_7*nu_r_dot_0 - g_e_3*nu_r_dot_1']], 'cases': []},
-         {'name': 'eta_dot', 'size': 6, 'unit': 'rad/s^2, m/s^2', 'doc': 'exact rate of eta',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['eta_dot_0',
-         'eta_dot_1', 'eta_dot_2', 'eta_dot_3', 'eta_dot_4', 'eta_dot_5'], 'lines': [['eta_dot_0',
-         'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_2*nu_e_1'],
-         ['eta_dot_1', 'eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_9*nu_r_dot_2 -
-         eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + g_e_10*nu_r_dot_2 + g_e_2*nu_r_dot_0 +
-         g_e_6*nu_r_dot_1 - eta_1*nu_e_0'], ['eta_dot_3', 'eta_1*nu_e_5 + eta_4*nu_e_2 +
-         eta_dot_arm_0_0*g_e_0 + eta_dot_arm_0_1*g_e_4 + eta_dot_arm_0_2*g_e_8 - eta_2*nu_e_4 -
-         eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 + eta_5*nu_e_0 + eta_dot_arm_0_0*g_e_1 +
-         eta_dot_arm_0_1*g_e_5 + eta_dot_arm_0_2*g_e_9 - eta_0*nu_e_5 - eta_3*nu_e_2'],
-         ['eta_dot_5', 'eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6
-         + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'cases': []}, {'name': 'pairs',
-         'size': 4, 'unit': '1', 'doc': "what B's diagonal is made of", 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['pairs_0', 'pairs_1', 'pairs_2', 'pairs_3'],
-         'lines': [['pairs_0', '1.0 + g_e_0'], ['pairs_1', '1.0 - g_e_0'], ['pairs_2', 'g_e_10 +
-         g_e_5'], ['pairs_3', 'g_e_5 - g_e_10']], 'cases': []}, {'name': 'B', 'size': 10, 'unit':
-         '1', 'doc': '4 p p^T, p = (v, w), by rows', 'source': 'polar factor of Markley and
-         Bar-Itzhack', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['B_0', 'B_1',
-         'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'lines': [['B_0', 'pairs_0 -
-         pairs_2'], ['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'],
-         ['B_4', 'pairs_1 + pairs_3'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7',
-         'pairs_1 - pairs_3'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', 'pairs_0 + pairs_2']], 'cases':
-         []}, {'name': 'column', 'size': 4, 'unit': '1', 'doc': 'a column of B that cannot vanish',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['column_0',
-         'column_1', 'column_2', 'column_3'], 'lines': [], 'cases': [{'condition': 'B_9 >= 1.0',
-         'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
-         'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
-         ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >=
-         B_7', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
-         'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'],
-         ['column_2', 'B_7'], ['column_3', 'B_8']]}]}, {'name': 'power', 'size': 4, 'unit': '1',
-         'doc': 'the column after one power step', 'source': '', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['power_0', 'power_1', 'power_2', 'power_3'], 'lines': [['power_0',
-         'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0 +
-         B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
-         B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
-         B_9*column_3']], 'cases': []}, {'name': 'square', 'size': 1, 'unit': '1', 'doc': 'square of
-         its vector part', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['square'], 'lines': [['square', 'power_0*power_0 + power_1*power_1 + power_2*power_2']],
-         'cases': []}, {'name': 'norm_square', 'size': 1, 'unit': '1', 'doc': 'its squared length',
-         'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_square'],
-         'lines': [['norm_square', 'square + power_3*power_3']], 'cases': []}, {'name':
-         'norm_bounded', 'size': 1, 'unit': '1', 'doc': 'the same: less is no element', 'source':
-         '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['norm_bounded'], 'lines': [],
-         'cases': [{'condition': 'norm_square < 49.0', 'lines': [['norm_bounded', '49.0']]},
-         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}]}, {'name': 'norm', 'size':
-         1, 'unit': '1', 'doc': 'its length', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['norm'], 'lines': [['norm', 'sqrt(norm_bounded)']], 'cases': []},
-         {'name': 'inverse_norm', 'size': 1, 'unit': '1', 'doc': 'to unit length', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['inverse_norm'], 'lines':
-         [['inverse_norm', '1.0/norm']], 'cases': []}, {'name': 'scale', 'size': 1, 'unit': '1',
-         'doc': 'to unit length, and to w >= 0: the shorter way round', 'source': '', 'is_scalar':
-         True, 'holder': '', 'member': '', 'names': ['scale'], 'lines': [], 'cases': [{'condition':
-         'power_3 < 0.0', 'lines': [['scale', '-inverse_norm']]}, {'condition': '', 'lines':
-         [['scale', 'inverse_norm']]}]}, {'name': 'cosine', 'size': 1, 'unit': '1', 'doc': 'cos of
-         half the error angle, rounded', 'source': '', 'is_scalar': True, 'holder': '', 'member':
-         '', 'names': ['cosine'], 'lines': [['cosine', 'power_3*scale']], 'cases': []}, {'name':
-         'w', 'size': 1, 'unit': '1', 'doc': 'cos of half the error angle', 'source': '',
-         'is_scalar': True, 'holder': '', 'member': '', 'names': ['w'], 'lines': [], 'cases':
-         [{'condition': 'cosine > 1.0', 'lines': [['w', '1.0']]}, {'condition': '', 'lines': [['w',
-         'cosine']]}]}, {'name': 'v', 'size': 3, 'unit': '1', 'doc': 'sin of half the error angle
-         times its axis', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['v_0', 'v_1', 'v_2'], 'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'],
-         ['v_2', 'power_2*scale']], 'cases': []}, {'name': 'k', 'size': 1, 'unit': '1', 'doc': 'half
-         angle over its sine', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names':
-         ['k'], 'lines': [['k', 'underwater_f64_k(w)']], 'cases': []}, {'name': 'h', 'size': 1,
-         'unit': '1', 'doc': '-dk/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['h'], 'lines': [['h', 'underwater_f64_h(w)']], 'cases': []}, {'name': 'phi',
-         'size': 3, 'unit': 'rad', 'doc': 'rotation vector of the error', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['phi_0', 'phi_1', 'phi_2'], 'lines':
-         [['phi_0', '2.0*k*v_0'], ['phi_1', '2.0*k*v_1'], ['phi_2', '2.0*k*v_2']], 'cases': []},
-         {'name': 'half', 'size': 1, 'unit': '1', 'doc': '1/(2 k)', 'source': '', 'is_scalar': True,
-         'holder': '', 'member': '', 'names': ['half'], 'lines': [['half', '0.5/k']], 'cases': []},
-         {'name': 'swing_p', 'size': 3, 'unit': 'm', 'doc': 'Y p', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['swing_p_0', 'swing_p_1', 'swing_p_2'], 'lines':
-         [['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'],
-         ['swing_p_2', 'g_e_7*v_0 - g_e_3*v_1']], 'cases': []}, {'name': 'sway_p', 'size': 3,
-         'unit': 'm', 'doc': 'Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '',
-         'names': ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'lines': [['sway_p_0', 'swing_p_2*v_1 -
-         swing_p_1*v_2'], ['sway_p_1', 'swing_p_0*v_2 - swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0
-         - swing_p_0*v_1']], 'cases': []}, {'name': 'rho_p', 'size': 3, 'unit': 'm', 'doc': 'p - k Y
-         p + h Y Y p', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['rho_p_0', 'rho_p_1', 'rho_p_2'], 'lines': [['rho_p_0', 'g_e_3 + h*sway_p_0 -
-         k*swing_p_0'], ['rho_p_1', 'g_e_7 + h*sway_p_1 - k*swing_p_1'], ['rho_p_2', 'g_e_11 +
-         h*sway_p_2 - k*swing_p_2']], 'cases': []}, {'name': 'y_p', 'size': 3, 'unit': 'm', 'doc':
-         'rho/(2 k)', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['y_p_0', 'y_p_1', 'y_p_2'], 'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1',
-         'half*rho_p_1'], ['y_p_2', 'half*rho_p_2']], 'cases': []}, {'name': 'turn', 'size': 6,
-         'unit': 'rad/s, m/s', 'doc': 'Y nu_e, Y = ad of y', 'source': '', 'is_scalar': False,
-         'holder': '', 'member': '', 'names': ['turn_0', 'turn_1', 'turn_2', 'turn_3', 'turn_4',
-         'turn_5'], 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 -
-         nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'], ['turn_3', 'nu_e_2*y_p_1 + nu_e_5*v_1
-         - nu_e_1*y_p_2 - nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 + nu_e_3*v_2 - nu_e_2*y_p_0 -
-         nu_e_5*v_0'], ['turn_5', 'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 - nu_e_3*v_1']],
-         'cases': []}, {'name': 'bend', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'Y Y nu_e',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['bend_0', 'bend_1',
-         'bend_2', 'bend_3', 'bend_4', 'bend_5'], 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'],
-         ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1'], ['bend_3',
-         'turn_2*y_p_1 + turn_5*v_1 - turn_1*y_p_2 - turn_4*v_2'], ['bend_4', 'turn_0*y_p_2 +
-         turn_3*v_2 - turn_2*y_p_0 - turn_5*v_0'], ['bend_5', 'turn_1*y_p_0 + turn_4*v_0 -
-         turn_0*y_p_1 - turn_3*v_1']], 'cases': []}, {'name': 'm', 'size': 1, 'unit': '1', 'doc':
-         '-dh/dw', 'source': '', 'is_scalar': True, 'holder': '', 'member': '', 'names': ['m'],
-         'lines': [['m', 'underwater_f64_m(w)']], 'cases': []}, {'name': 'along_p', 'size': 1,
-         'unit': 'm', 'doc': '-2 v.q', 'source': '', 'is_scalar': True, 'holder': '', 'member': '',
-         'names': ['along_p'], 'lines': [['along_p', '-2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)']],
-         'cases': []}, {'name': 'tail', 'size': 6, 'unit': 'rad/s, m/s', 'doc': '(Y^2 + s^2) Y^2
-         nu_e', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['tail_3',
-         'tail_4', 'tail_5'], 'lines': [['tail_3', 'along_p*bend_0'], ['tail_4', 'along_p*bend_1'],
-         ['tail_5', 'along_p*bend_2']], 'cases': []}, {'name': 'twofold', 'size': 1, 'unit': '1',
-         'doc': 'h^2 - k m/2, of the double root', 'source': '', 'is_scalar': True, 'holder': '',
-         'member': '', 'names': ['twofold'], 'lines': [['twofold', 'h*h - 0.5*k*m']], 'cases': []},
-         {'name': 'nu_u_dot', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'exact rate of nu_u',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['nu_u_dot_0',
-         'nu_u_dot_1', 'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'], 'lines':
-         [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h +
-         k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2'], ['nu_u_dot_3', 'nu_e_3 +
-         bend_3*h + k*turn_3 + tail_3*twofold'], ['nu_u_dot_4', 'nu_e_4 + bend_4*h + k*turn_4 +
-         tail_4*twofold'], ['nu_u_dot_5', 'nu_e_5 + bend_5*h + k*turn_5 + tail_5*twofold']],
-         'cases': []}, {'name': 'drive', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'lambda nu_u',
-         'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['drive_0',
-         'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5'], 'lines': [['drive_0',
-         'phi_0*rate_gain'], ['drive_1', 'phi_1*rate_gain'], ['drive_2', 'phi_2*rate_gain'],
-         ['drive_3', 'rate_gain*rho_p_0'], ['drive_4', 'rate_gain*rho_p_1'], ['drive_5',
-         'rate_gain*rho_p_2']], 'cases': []}, {'name': 's', 'size': 6, 'unit': 'rad/s, m/s', 'doc':
-         'sliding variable', 'source': 'eq. (SurfaceErr)', 'is_scalar': False, 'holder': '',
-         'member': '', 'names': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5'], 'lines': [['s_0',
-         'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2'], ['s_3',
-         'drive_3 + nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 + nu_e_5']], 'cases':
-         []}, {'name': 'wanted', 'size': 6, 'unit': 'rad/s^2, m/s^2', 'doc': 'acceleration asked
-         for', 'source': '', 'is_scalar': False, 'holder': '', 'member': '', 'names': ['wanted_0',
-         'wanted_1', 'wanted_2', 'wanted_3', 'wanted_4', 'wanted_5'], 'lines': [['wanted_0',
-         'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
-         nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3'],
-         ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5', 'eta_dot_5
-         - nu_u_dot_5*rate_gain - reach_gain*s_5']], 'cases': []}, {'name': 'turning', 'size': 6,
-         'unit': 'rad/s, m/s', 'doc': 'lambda nu_u - eta, as s - nu', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['turning_0', 'turning_1', 'turning_2',
-         'turning_3', 'turning_4', 'turning_5'], 'lines': [['turning_0', 's_0 - nu_0'],
-         ['turning_1', 's_1 - nu_1'], ['turning_2', 's_2 - nu_2'], ['turning_3', 's_3 - nu_3'],
-         ['turning_4', 's_4 - nu_4'], ['turning_5', 's_5 - nu_5']], 'cases': []}, {'name':
-         'momentum', 'size': 6, 'unit': 'N m s, N s', 'doc': 'I nu', 'source': '', 'is_scalar':
-         False, 'holder': '', 'member': '', 'names': ['momentum_0', 'momentum_1', 'momentum_2',
-         'momentum_3', 'momentum_4', 'momentum_5'], 'lines': [['momentum_0', 'inertia_0*nu_0 +
-         inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 + inertia_4*nu_4 + inertia_5*nu_5'],
-         ['momentum_1', 'inertia_1*nu_0 + inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2 +
-         inertia_8*nu_3 + inertia_9*nu_4'], ['momentum_2', 'inertia_11*nu_2 + inertia_12*nu_3 +
-         inertia_13*nu_4 + inertia_14*nu_5 + inertia_2*nu_0 + inertia_7*nu_1'], ['momentum_3',
-         'inertia_12*nu_2 + inertia_15*nu_3 + inertia_16*nu_4 + inertia_17*nu_5 + inertia_3*nu_0 +
-         inertia_8*nu_1'], ['momentum_4', 'inertia_13*nu_2 + inertia_16*nu_3 + inertia_18*nu_4 +
-         inertia_19*nu_5 + inertia_4*nu_0 + inertia_9*nu_1'], ['momentum_5', 'inertia_10*nu_1 +
-         inertia_14*nu_2 + inertia_17*nu_3 + inertia_19*nu_4 + inertia_20*nu_5 + inertia_5*nu_0']],
-         'cases': []}, {'name': 'force', 'size': 6, 'unit': 'N m, N', 'doc': 'control force, I f_u',
-         'source': 'eq. (TckCtrl)', 'is_scalar': False, 'holder': '', 'member': '', 'names':
-         ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5'], 'lines': [['force_0',
-         'inertia_0*wanted_0 - external_0 + inertia_1*wanted_1 + inertia_2*wanted_2 +
-         inertia_3*wanted_3 + inertia_4*wanted_4 + inertia_5*wanted_5 + momentum_1*turning_2 +
-         momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'], ['force_1',
-         'inertia_1*wanted_0 - external_1 + inertia_10*wanted_5 + inertia_6*wanted_1 +
-         inertia_7*wanted_2 + inertia_8*wanted_3 + inertia_9*wanted_4 + momentum_2*turning_0 +
-         momentum_5*turning_3 - momentum_0*turning_2 - momentum_3*turning_5'], ['force_2',
-         'inertia_11*wanted_2 - external_2 + inertia_12*wanted_3 + inertia_13*wanted_4 +
-         inertia_14*wanted_5 + inertia_2*wanted_0 + inertia_7*wanted_1 + momentum_0*turning_1 +
-         momentum_3*turning_4 - momentum_1*turning_0 - momentum_4*turning_3'], ['force_3',
-         'inertia_12*wanted_2 - external_3 + inertia_15*wanted_3 + inertia_16*wanted_4 +
-         inertia_17*wanted_5 + inertia_3*wanted_0 + inertia_8*wanted_1 + momentum_4*turning_2 -
-         momentum_5*turning_1'], ['force_4', 'inertia_13*wanted_2 - external_4 + inertia_16*wanted_3
-         + inertia_18*wanted_4 + inertia_19*wanted_5 + inertia_4*wanted_0 + inertia_9*wanted_1 +
-         momentum_5*turning_0 - momentum_3*turning_2'], ['force_5', 'inertia_10*wanted_1 -
-         external_5 + inertia_14*wanted_2 + inertia_17*wanted_3 + inertia_19*wanted_4 +
-         inertia_20*wanted_5 + inertia_5*wanted_0 + momentum_3*turning_1 - momentum_4*turning_0']],
-         'cases': []}], 'outputs': [{'name': 'force', 'size': 6, 'unit': 'N m, N', 'doc': 'control
-         force', 'source': '', 'is_scalar': False, 'holder': 'command', 'member': 'force',
-         'entries': ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5']}, {'name':
-         's', 'size': 6, 'unit': 'rad/s, m/s', 'doc': 'sliding variable', 'source': '', 'is_scalar':
-         False, 'holder': 'command', 'member': 's', 'entries': ['s_0', 's_1', 's_2', 's_3', 's_4',
-         's_5']}, {'name': 'nu_u', 'size': 6, 'unit': 'rad, m', 'doc': 'kinematic law', 'source':
-         '', 'is_scalar': False, 'holder': 'command', 'member': 'nu_u', 'entries': ['phi_0',
-         'phi_1', 'phi_2', 'rho_p_0', 'rho_p_1', 'rho_p_2']}, {'name': 'nu_u_dot', 'size': 6,
-         'unit': 'rad/s, m/s', 'doc': 'its exact rate', 'source': '', 'is_scalar': False, 'holder':
-         'command', 'member': 'nu_u_dot', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2',
-         'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5']}, {'name': 'clearance', 'size': 1, 'unit': '1',
-         'doc': 'distance from the cut locus of the law', 'source': '', 'is_scalar': True, 'holder':
-         '', 'member': 'clearance', 'entries': ['w']}], 'operations': 540, 'temporaries': 135,
-         'symbol': 'tracking', 'is_public': False, 'holders': ['params', 'state', 'reference'],
-         'arguments': ['nu', 'external', 'nu_r', 'nu_r_dot', 'g_e'], 'has_reference': True,
-         'writes': ['command', 'clearance'], 'public_writes': ['command', 'clearance']}, double
-         precision.
+ * underwater_f64: gsmc on SE3, law log (the logarithm), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "underwater_f64.h"
@@ -250,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -357,7 +120,34 @@ static inline double underwater_f64_m(const double w)
     return sum;
 }
 
-static const underwater_f64_command underwater_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void underwater_f64_nothing(underwater_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->force[3] = 0.0;
+    command->force[4] = 0.0;
+    command->force[5] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->s[3] = 0.0;
+    command->s[4] = 0.0;
+    command->s[5] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u[3] = 0.0;
+    command->nu_u[4] = 0.0;
+    command->nu_u[5] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+    command->nu_u_dot[3] = 0.0;
+    command->nu_u_dot[4] = 0.0;
+    command->nu_u_dot[5] = 0.0;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -1340,7 +1130,7 @@ static underwater_f64_status underwater_f64_refuse(const underwater_f64_state *s
             underwater_f64_inspect(reference->nu, 6, UNDERWATER_F64_MAX_INPUT));
     worst = underwater_f64_worse(worst,
             underwater_f64_inspect(reference->nu_dot, 6, UNDERWATER_F64_MAX_INPUT));
-    *command = underwater_f64_nothing;
+    underwater_f64_nothing(command);
     return worst;
 }
 
@@ -1351,7 +1141,7 @@ static underwater_f64_status underwater_f64_verdict(const double clearance,
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
             && isfinite(command->force[3]) && isfinite(command->force[4])
             && isfinite(command->force[5]))) {
-        *command = underwater_f64_nothing;
+        underwater_f64_nothing(command);
         return UNDERWATER_F64_NONFINITE_INPUT;
     }
     return clearance < UNDERWATER_F64_NEAR_CUT ? UNDERWATER_F64_NEAR_CUT_LOCUS : UNDERWATER_F64_OK;
