@@ -77,13 +77,7 @@ def test_text_has_every_step_and_its_lines(vehicle: Vehicle) -> None:
         if any(map(any, group_of(vehicle).structure)):
             assert set(REQUIRED) <= set(headings)
         assert re.search(r"^ +nu_u(_0)? = ", text, re.M)
-<<<<<<< HEAD
     shown = {int(n): line for n, line in re.findall(r"^ {0,4}(\d+) (?=\S| )(.*)$", text, re.M)}
-=======
-    of_case = r"(?! *(?:if [^(]|otherwise))"  # a value `49  if …` is no line of code
-    listed = re.findall(rf"^ *(\d+) {of_case}(?=\S| )(.*)$", text, re.M)
-    shown = {int(n): line for n, line in listed}
->>>>>>> w-cost
     for row in rows(vehicle):
         first = int(row["first_line"])
         assert source[first - 1].startswith(f"    /* {row['step']}: ")
