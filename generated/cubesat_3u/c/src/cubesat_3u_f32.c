@@ -561,12 +561,18 @@ static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params
     }
     for (i = 0; i < 3; i++) {
         const float limit = params->force_limit[i];
-        const float force = command->force[i]*share;
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(fabsf(command->force[i]) <= limit)) {
+        float force = command->force[i]*share;
+        if (force > limit) {
+            force = limit;
+        }
+        if (force < -limit) {
+            force = -limit;
+        }
+        if (!(fabsf(force) <= limit)) {
             cubesat_3u_f32_nothing(command);
             return CUBESAT_3U_F32_NONFINITE_INPUT;
         }
+        command->force[i] = force;
     }
     return CUBESAT_3U_F32_SATURATED;
 }

@@ -573,12 +573,18 @@ static cubesat_3u_f64_status cubesat_3u_f64_saturate(const cubesat_3u_f64_params
     }
     for (i = 0; i < 3; i++) {
         const double limit = params->force_limit[i];
-        const double force = command->force[i]*share;
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(fabs(command->force[i]) <= limit)) {
+        double force = command->force[i]*share;
+        if (force > limit) {
+            force = limit;
+        }
+        if (force < -limit) {
+            force = -limit;
+        }
+        if (!(fabs(force) <= limit)) {
             cubesat_3u_f64_nothing(command);
             return CUBESAT_3U_F64_NONFINITE_INPUT;
         }
+        command->force[i] = force;
     }
     return CUBESAT_3U_F64_SATURATED;
 }

@@ -1051,12 +1051,22 @@ static freeflyer_f32_status freeflyer_f32_saturate(const freeflyer_f32_params *p
     int i;
     for (i = 0; i < 6; i++) {
         const float limit = params->force_limit[i];
-        const float force = command->force[i];
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(isfinite(force) && fabsf(command->force[i]) <= limit)) {
+        float force = command->force[i];
+        if (!isfinite(force)) {
             freeflyer_f32_nothing(command);
             return FREEFLYER_F32_NONFINITE_INPUT;
         }
+        if (force > limit) {
+            force = limit;
+        }
+        if (force < -limit) {
+            force = -limit;
+        }
+        if (!(fabsf(force) <= limit)) {
+            freeflyer_f32_nothing(command);
+            return FREEFLYER_F32_NONFINITE_INPUT;
+        }
+        command->force[i] = force;
     }
     return FREEFLYER_F32_SATURATED;
 }
@@ -1149,11 +1159,11 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
             && fabsf(reference->nu_dot[3]) <= FREEFLYER_F32_MAX_INPUT
             && fabsf(reference->nu_dot[4]) <= FREEFLYER_F32_MAX_INPUT
             && fabsf(reference->nu_dot[5]) <= FREEFLYER_F32_MAX_INPUT)) {
-        const int is_near = fabsf(g_e_3) <= FREEFLYER_F32_MAX_REACH
-                && fabsf(g_e_7) <= FREEFLYER_F32_MAX_REACH
-                && fabsf(g_e_11) <= FREEFLYER_F32_MAX_REACH;
-        return freeflyer_f32_refuse(state, reference,
-                is_near ? FREEFLYER_F32_NOT_ON_GROUP : FREEFLYER_F32_OUT_OF_RANGE, command);
+        if (fabsf(g_e_3) <= FREEFLYER_F32_MAX_REACH && fabsf(g_e_7) <= FREEFLYER_F32_MAX_REACH
+                && fabsf(g_e_11) <= FREEFLYER_F32_MAX_REACH) {
+            return freeflyer_f32_refuse(state, reference, FREEFLYER_F32_NOT_ON_GROUP, command);
+        }
+        return freeflyer_f32_refuse(state, reference, FREEFLYER_F32_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

@@ -1088,12 +1088,22 @@ static freeflyer_f64_status freeflyer_f64_saturate(const freeflyer_f64_params *p
     int i;
     for (i = 0; i < 6; i++) {
         const double limit = params->force_limit[i];
-        const double force = command->force[i];
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(isfinite(force) && fabs(command->force[i]) <= limit)) {
+        double force = command->force[i];
+        if (!isfinite(force)) {
             freeflyer_f64_nothing(command);
             return FREEFLYER_F64_NONFINITE_INPUT;
         }
+        if (force > limit) {
+            force = limit;
+        }
+        if (force < -limit) {
+            force = -limit;
+        }
+        if (!(fabs(force) <= limit)) {
+            freeflyer_f64_nothing(command);
+            return FREEFLYER_F64_NONFINITE_INPUT;
+        }
+        command->force[i] = force;
     }
     return FREEFLYER_F64_SATURATED;
 }
@@ -1186,11 +1196,11 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
             && fabs(reference->nu_dot[3]) <= FREEFLYER_F64_MAX_INPUT
             && fabs(reference->nu_dot[4]) <= FREEFLYER_F64_MAX_INPUT
             && fabs(reference->nu_dot[5]) <= FREEFLYER_F64_MAX_INPUT)) {
-        const int is_near = fabs(g_e_3) <= FREEFLYER_F64_MAX_REACH
-                && fabs(g_e_7) <= FREEFLYER_F64_MAX_REACH && fabs(g_e_11) <=
-                        FREEFLYER_F64_MAX_REACH;
-        return freeflyer_f64_refuse(state, reference,
-                is_near ? FREEFLYER_F64_NOT_ON_GROUP : FREEFLYER_F64_OUT_OF_RANGE, command);
+        if (fabs(g_e_3) <= FREEFLYER_F64_MAX_REACH && fabs(g_e_7) <= FREEFLYER_F64_MAX_REACH
+                && fabs(g_e_11) <= FREEFLYER_F64_MAX_REACH) {
+            return freeflyer_f64_refuse(state, reference, FREEFLYER_F64_NOT_ON_GROUP, command);
+        }
+        return freeflyer_f64_refuse(state, reference, FREEFLYER_F64_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const double g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

@@ -520,12 +520,18 @@ static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *p
     }
     for (i = 0; i < 3; i++) {
         const float limit = params->force_limit[i];
-        const float force = command->force[i]*share;
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(fabsf(command->force[i]) <= limit)) {
+        float force = command->force[i]*share;
+        if (force > limit) {
+            force = limit;
+        }
+        if (force < -limit) {
+            force = -limit;
+        }
+        if (!(fabsf(force) <= limit)) {
             quadrotor_f32_nothing(command);
             return QUADROTOR_F32_NONFINITE_INPUT;
         }
+        command->force[i] = force;
     }
     return QUADROTOR_F32_SATURATED;
 }

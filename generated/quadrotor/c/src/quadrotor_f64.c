@@ -533,12 +533,18 @@ static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *p
     }
     for (i = 0; i < 3; i++) {
         const double limit = params->force_limit[i];
-        const double force = command->force[i]*share;
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(fabs(command->force[i]) <= limit)) {
+        double force = command->force[i]*share;
+        if (force > limit) {
+            force = limit;
+        }
+        if (force < -limit) {
+            force = -limit;
+        }
+        if (!(fabs(force) <= limit)) {
             quadrotor_f64_nothing(command);
             return QUADROTOR_F64_NONFINITE_INPUT;
         }
+        command->force[i] = force;
     }
     return QUADROTOR_F64_SATURATED;
 }
