@@ -259,7 +259,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
     cut = force * share
     cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
-    usable = ((np.abs(cut) <= limit)).all(-1)
+    usable = np.isfinite(cut.sum(-1))
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status

@@ -251,7 +251,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     size = np.abs(force)
     cut = force
     cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
-    usable = (np.isfinite(force) & (np.abs(cut) <= limit)).all(-1)
+    usable = np.isfinite(force).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status
