@@ -32,6 +32,8 @@ def plant_of(vehicle: Vehicle) -> Plant:
         vehicle.controller,
         own=vehicle.own.basis if vehicle.own else None,
         options=vehicle.options,
+        force_limit=vehicle.limits.force,
+        saturation=vehicle.limits.saturation,
     )
 
 

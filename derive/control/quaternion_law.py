@@ -14,22 +14,22 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy
-from sympy import Expr, Matrix, Piecewise, sqrt
+from sympy import Expr, Matrix, Piecewise
 
 from derive.control.law import KinematicLaw, Written
-from derive.lie.cover import Let
+from derive.lie.cover import Let, Scaled
 from derive.lie.group import Group
 from derive.lie.kernel import SMALL, H, K
 
-Factor = Callable[[Let, Expr, Matrix], Expr]
-Clearance = Callable[[Let, Expr, Matrix], Expr]
+Factor = Callable[[Let, Scaled], Expr]
+Clearance = Callable[[Let, Scaled], Expr]
 
 
 @dataclass(frozen=True)
 class Quaternion:
     """Writes a law 2 p(w) v.
 
-    factor:    (let, w, v) -> p(w), half the ratio of nu_u to v
+    factor:    (let, (w, v)) -> p(w), half the ratio of nu_u to v
     clearance: zero where the law jumps or is not defined, None where it does neither
     """
 
@@ -41,19 +41,27 @@ class Quaternion:
         if group.cover is None:
             raise ValueError(f"{group.name} has no unit quaternion")
         error = group.cover(let, g_e)
-        w, v = error.w, error.v
-        clearance = self.clearance(let, w, v) if self.clearance else sympy.S.One
-        factor = self.factor(let, w, v)
-        p = let("p", factor, "1", "half of nu_u over v")
-        drop = let("drop", -sympy.diff(factor, w), "1", "-dp/dw")
-        along = let("along", _along(w, factor), "1", "rate of the law along the axis")
+        w, raw, scale = error.w, error.raw, error.scale
+        clearance = self.clearance(let, error) if self.clearance else sympy.S.One
+        share, p = _parted(self.factor(let, error))
+        reach = let("reach", p * scale, "1", "p by the scale, but for a number")
+        ratio = let("stretch", 2 * share * reach, "1", "ratio of nu_u to the vector part")
+        drop = let("drop", -sympy.diff(p, w) * scale**2, "1", "-dp/dw by the scale's square")
+        along = let("along", _along(w, p), "1", "rate of the law along the axis")
 
         def rate(let: Let, nu_e: Matrix) -> Matrix:
-            turn = let("turn", v.cross(nu_e), "rad/s", "v x nu_e")
-            bend = let("bend", v.cross(turn), "rad/s", "v x (v x nu_e)")
-            return along * nu_e + p * turn + drop * bend
+            part = let("part", share * nu_e, "rad/s", "what the law has of nu_e at the identity")
+            turn = let("turn", raw.cross(part), "rad/s", "vector part x nu_e, its share")
+            bend = let("bend", raw.cross(turn), "rad/s", "vector part x that")
+            return along * part + reach * turn + drop * bend
 
-        return Written(2 * p * v, rate, clearance)
+        return Written(ratio * raw, rate, clearance)
+
+
+def _parted(p: Expr) -> tuple[Expr, Expr]:
+    """p as a number below 1, which nu_e takes on, and the rest."""
+    number, rest = p.as_coeff_Mul()
+    return (number, rest) if number < 1 else (sympy.S.One, p)
 
 
 def _along(w: Expr, p: Expr) -> Expr:
@@ -63,36 +71,37 @@ def _along(w: Expr, p: Expr) -> Expr:
     return sympy.factor(sympy.cancel(value))
 
 
-def _at_pi(let: Let, w: Expr, v: Matrix) -> Expr:
+def _at_pi(let: Let, error: Scaled) -> Expr:
     """cos of half the error angle: zero at rotations by pi."""
-    return w
+    return error.w
 
 
-def _at_minus_i(let: Let, w: Expr, v: Matrix) -> Expr:
+def _at_minus_i(let: Let, error: Scaled) -> Expr:
     """sin of half the error angle beyond pi: zero at -i, one on the near half."""
-    value = Piecewise((sqrt(v.dot(v)), w < 0), (sympy.S.One, True), evaluate=False)
-    return let("distance", value, "1", "distance from -i")
+    return error.distance
 
 
-def _at_equator(let: Let, w: Expr, v: Matrix) -> Expr:
+def _at_equator(let: Let, error: Scaled) -> Expr:
     """|w|: zero where the sign of w changes."""
-    return let("distance", sympy.Abs(w), "1", "distance from w = 0")
+    return let("margin", sympy.Abs(error.w), "1", "distance from w = 0")
 
 
-def _sign(let: Let, w: Expr, v: Matrix) -> Expr:
-    value = Piecewise((sympy.S.NegativeOne, w < 0), (sympy.S.One, True), evaluate=False)
+def _sign(let: Let, error: Scaled) -> Expr:
+    value = Piecewise((sympy.S.NegativeOne, error.w < 0), (sympy.S.One, True), evaluate=False)
     return let("sign", value, "1", "sign of w, + at zero") / 2
 
 
-def _gibbs(let: Let, w: Expr, v: Matrix) -> Expr:
+def _gibbs(let: Let, error: Scaled) -> Expr:
     """1/w, finite where it is refused."""
+    w = error.w
     inverse = let("inverse", 1 / (w + SMALL), "1", "1/w, finite", stands_for=1 / w)
-    let("square", inverse**2, "1", "1/w^2", stands_for=w**-2)
+    let("inverse_square", inverse**2, "1", "1/w^2", stands_for=w**-2)
     return 1 / w
 
 
-def _mrp(let: Let, w: Expr, v: Matrix) -> Expr:
+def _mrp(let: Let, error: Scaled) -> Expr:
     """2/(1 + w), with 1 + w = s^2/(1 + |w|) where that loses nothing to cancellation."""
+    w, v = error.w, error.v
     far = v.dot(v) / (1 + sympy.Abs(w)) + SMALL
     value = Piecewise((1 + w, w >= 0), (far, True), evaluate=False)
     let("off", value, "1", "1 + w, and never zero", stands_for=1 + w)
@@ -111,21 +120,21 @@ _SO3, _S3 = "eq. (KinCtrlLawSO3)", "eq. (KinCtrlLawS3)"
 
 _RECORDS = {
     "SO3": (
-        _law("log", lambda let, w, v: K(w), "the rotation vector", _at_pi, source=_SO3),
-        _law("lee", lambda let, w, v: _HALF, "sin(angle/2) axis", _at_pi),
-        _law("skew", lambda let, w, v: w, "sin(angle) axis", None),
+        _law("log", lambda let, error: K(error.w), "the rotation vector", _at_pi, source=_SO3),
+        _law("lee", lambda let, error: _HALF, "sin(angle/2) axis", _at_pi),
+        _law("skew", lambda let, error: error.w, "sin(angle) axis", None),
         _law("gibbs", _gibbs, "2 tan(angle/2) axis", _at_pi, True),
-        _law("mrp", lambda let, w, v: 2 / (1 + w), "4 tan(angle/4) axis", _at_pi),
+        _law("mrp", lambda let, error: 2 / (1 + error.w), "4 tan(angle/4) axis", _at_pi),
         _law("cayley", _gibbs, "2 tan(angle/2) axis", _at_pi, True),
     ),
     "S3": (
-        _law("log", lambda let, w, v: K(w), "the rotation vector", _at_minus_i, True),
+        _law("log", lambda let, error: K(error.w), "the rotation vector", _at_minus_i, True),
         _law(
-            "half_log", lambda let, w, v: K(w) / 2, "half the rotation vector", _at_minus_i, True,
-            _S3,
+            "half_log", lambda let, error: K(error.w) / 2, "half the rotation vector",
+            _at_minus_i, True, _S3,
         ),
         _law("mrp", _mrp, "4 v/(1 + w)", _at_minus_i, True),
-        _law("vec", lambda let, w, v: sympy.S.One, "2 v, smooth everywhere", None),
+        _law("vec", lambda let, error: sympy.S.One, "2 v, smooth everywhere", None),
         _law("sign_vec", _sign, "sign(w) v", _at_equator),
         _law("cayley", _mrp, "4 v/(1 + w)", _at_minus_i, True),
     ),

@@ -38,12 +38,6 @@ DEVIATIONS = (
         "They are the interface: whoever calls them is outside of this package.",
     ),
     Deviation(
-        "9.3",
-        "the command of zeros",
-        r"static const NAME_command nothing = ",
-        "What is left out of an initialiser is zero, which is what is wanted.",
-    ),
-    Deviation(
         "12.1",
         "sums of products",
         r"(const )?((float|double) )?\w+ = ",

@@ -76,7 +76,7 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         "routines": [main, *public, *inner],
         "error": declared(parts.error),
         "seen": declared(parts.seen),
-        "law": declared(parts.law),
+        "core": declared(parts.law),
         "drift": declared(parts.drift),
         "margins": more,
         "kernels": kernels(whole, dialect.scalar),

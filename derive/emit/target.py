@@ -9,8 +9,8 @@ CONSTANTS = {
     "TINY": {"f64": Fraction("1e-290"), "f32": Fraction("1e-30")},
     "SMALL": {"f64": Fraction("1e-60"), "f32": Fraction("1e-10")},
     "FLOOR": {"f64": Fraction("1e-17"), "f32": Fraction("1e-8")},
+    "LEAST": {"f64": Fraction("1e-8"), "f32": Fraction("0.75")},
     "CUT": {"f64": Fraction("1e-60"), "f32": Fraction("5e-8")},
-    "SHORT": {"f64": Fraction("1e-7"), "f32": Fraction("0.75")},
 }
 """Values of the kernel's named constants; an ulp over TINY does not overflow, nor SMALL^-3.
 

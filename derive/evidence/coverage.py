@@ -61,7 +61,7 @@ def coverage(emitted: Emitted, folder: Path) -> tuple[Check, ...]:
     return (
         Check(
             "self-test: lines and branches missed", emitted.prefix, float(found.missed),
-            LIMITS["findings"], found.lines + found.branches,
+            LIMITS["attack"], found.lines + found.branches,
             *_where(found.listed(emitted.source)),
         ),
     )  # fmt: skip

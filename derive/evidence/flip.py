@@ -94,7 +94,7 @@ def flip(emitted: Emitted, plant: Plant, folder: Path) -> tuple[Check, ...]:
     return (
         Check(
             "bit flips: promises broken", emitted.prefix, float(found.broken + found.refused),
-            LIMITS["findings"], inputs.tried + params.tried,
+            LIMITS["attack"], inputs.tried + params.tried,
             found.first[0] if found.first else "",
             (*map(str, (inputs, *found.tallies)), *found.first),
         ),

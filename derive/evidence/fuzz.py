@@ -98,7 +98,7 @@ def _findings(emitted: Emitted, fuzzer: Fuzzer, said: str, runs: int) -> Check:
     tried = re.search(r"number_of_executed_units: (\d+)", said)
     numbers = fuzzer.numbers(artifact[1]) if artifact else ()
     return Check(
-        "fuzz: promises broken", emitted.prefix, float(bool(artifact)), LIMITS["findings"],
+        "fuzz: promises broken", emitted.prefix, float(bool(artifact)), LIMITS["attack"],
         int(tried[1]) if tried else 0, _reason(said) if artifact else "", numbers,
     )  # fmt: skip
 
@@ -127,5 +127,5 @@ def _reached(emitted: Emitted, said: str) -> Check:
     details += tuple(f"{name}: {n}" for name, n in kinds.items())
     return Check(
         "fuzz: kinds of input never seen", emitted.prefix, float(len(missed)),
-        LIMITS["findings"], sum(counts.values()), ", ".join(missed), details,
+        LIMITS["attack"], sum(counts.values()), ", ".join(missed), details,
     )  # fmt: skip

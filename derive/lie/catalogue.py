@@ -9,8 +9,9 @@ from sympy import ImmutableMatrix, Matrix, eye
 
 from derive.lie import chart, cover
 from derive.lie.affine import semidirect
+from derive.lie.cover import Let
 from derive.lie.family import product, vector_space
-from derive.lie.group import Group
+from derive.lie.group import Group, Pull
 
 
 def _turn(size: int, i: int, j: int) -> ImmutableMatrix:
@@ -36,12 +37,34 @@ def _rotation_of(g: Matrix) -> Matrix:
     )
 
 
+def _pull_of_quaternion(let: Let, q: Matrix) -> Pull:
+    """R^T of a unit quaternion's rotation R, its products shared."""
+    w, v = q[0], q[1:, :]
+    x, y, z = v
+    x2, y2, z2 = let("double", 2 * v, "1", "twice the vector part")
+    rows = Matrix(
+        [
+            1 - (y2 * y + z2 * z), x2 * y + z2 * w, x2 * z - y2 * w,
+            x2 * y - z2 * w, 1 - (x2 * x + z2 * z), y2 * z + x2 * w,
+            x2 * z + y2 * w, y2 * z - x2 * w, 1 - (x2 * x + y2 * y),
+        ]
+    )  # fmt: skip
+    R_T = let("to_body", rows, "1", "Ad of g_e^-1: reference to body frame").reshape(3, 3)
+    return lambda _, x: R_T * x
+
+
 def _orthonormal(stored: Matrix) -> Matrix:
-    """R^T R - I, upper triangle, and det R - 1: numbers that vanish on rotations alone."""
-    d = 2 if len(stored) == 4 else 3
-    R = stored.reshape(d, d)
-    gram = R.T * R - eye(d)
-    return Matrix([*(gram[i, j] for i in range(d) for j in range(i, d)), R.det() - 1])
+    """Numbers that vanish on rotations alone.
+
+    All columns but the last are units at right angles, and the last is the one that they leave:
+    that settles the sign of det R, too.
+    """
+    if len(stored) == 4:
+        a, c, b, d = stored
+        return Matrix([a * a + b * b - 1, c + b, d - a])
+    R = stored.reshape(3, 3)
+    a, b, c = (R[:, i] for i in range(3))
+    return Matrix([a.dot(a) - 1, a.dot(b), b.dot(b) - 1, *(c - a.cross(b))])
 
 
 SO3 = Group(
@@ -78,6 +101,7 @@ S3 = Group(
     is_rotation=True,
     attitude=lambda q: q,
     short_Ad=_rotation_of,
+    short_pull=_pull_of_quaternion,
 )
 
 SO2 = Group(

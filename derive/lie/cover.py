@@ -7,13 +7,13 @@ layer knows the formulas and not what a derivation is.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
 from sympy import Expr, Matrix, Piecewise, pi, sqrt
 
-from derive.lie.kernel import CUT, FLOOR, SHORT, H, K
+from derive.lie.kernel import CUT, FLOOR, LEAST, H, K
 
 Let = Callable[..., Any]
 """let(name, value, unit, doc, source="", stands_for=None) -> the fresh symbol or matrix."""
@@ -40,6 +40,20 @@ class Cover:
         return {w: w_dot, **dict(zip(v, v_dot, strict=True))}
 
 
+@dataclass(frozen=True)
+class Scaled(Cover):
+    """The same, and its vector part before it is brought to unit length.
+
+    raw:      v/scale, (3, 1): a law made of raw and scale needs no v
+    scale:    1 over the length of the quaternion that raw belongs to
+    distance: where w and -w are two elements |v| for w < 0, else 1
+    """
+
+    raw: Matrix
+    scale: Expr
+    distance: Expr = sympy.S.One
+
+
 def choose(*cases: tuple[Matrix, Any]) -> Matrix:
     """The first matrix whose condition holds, entry by entry; the last condition is True."""
     columns = zip(*(value for value, _ in cases), strict=True)
@@ -59,7 +73,14 @@ def at_most(value: Expr, most: Expr | int) -> Expr:
     return Piecewise((sympy.sympify(most), value > most), (value, True), evaluate=False)
 
 
-def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
+def let_cosine(let: Let, value: Expr) -> Expr:
+    """Step of w, at most 1: beyond, polynomials grow fast."""
+    cosine = let("cosine", value, "1", "cos of half the error angle, rounded")
+    found: Expr = let("w", at_most(cosine, 1), "1", "cos of half the error angle")
+    return found
+
+
+def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Scaled:
     """Unit quaternion with w >= 0 of a 3x3 matrix near SO(3), its polar factor to O(drift^2).
 
     B = 4 p p^T for a rotation, p = (v, w). The column of the largest diagonal entry, multiplied
@@ -69,7 +90,8 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
     A carrier turns translations too, for which a divided h is too rough; they are the longer the
     more its polynomials are off, so that w is kept from being above 1 by an ulp or more.
     """
-    B = let("B", _quadruple(stored.reshape(3, 3)), "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
+    entries = _quadruple(let, stored.reshape(3, 3))
+    B = let("B", entries, "1", "4 p p^T, p = (v, w), by rows", MARKLEY)
     B = Matrix(4, 4, lambda i, j: B[_packed(min(i, j), max(i, j))])
     columns = [B[:, j] for j in range(4)]
     x, y, z, w = (B[j, j] for j in range(4))
@@ -85,46 +107,66 @@ def of_rotation(let: Let, stored: Matrix, *, is_carrier: bool = False) -> Cover:
         "a column of B that cannot vanish",
     )
     power = let("power", B * column, "1", "the column after one power step")
-    norm = _length(let, power, NEAR_ROTATION)
-    signed = Piecewise((-1 / norm, power[3] < 0), (1 / norm, True), evaluate=False)
+    square = _square(let, power[:3, :])
+    norm = _length(let, square + power[3] ** 2, NEAR_ROTATION)
+    inverse = let("inverse_norm", 1 / norm, "1", "to unit length")
+    signed = Piecewise((-inverse, power[3] < 0), (inverse, True), evaluate=False)
     scale = let("scale", signed, "1", "to unit length, and to w >= 0: the shorter way round")
-    w = (let_cosine if is_carrier else _plain)(let, power[3] * scale)
-    v = let("v", power[:3, :] * scale, "1", "sin of half the error angle times its axis")
+    error = _scaled(let, power[3], power[:3, :], scale, let_cosine if is_carrier else _cosine)
     if is_carrier:
-        polynomials(let, w)
+        polynomials(let, error.w)
     else:
-        _half(let, w)
-    return Cover(w, v)
+        k = let("k", K(error.w), "1", "half angle over its sine", stands_for=K(error.w))
+        _divided(let, square + FLOOR, error, k)
+    return error
 
 
-def of_quaternion(let: Let, stored: Matrix) -> Cover:
-    """Unit quaternion of stored numbers q (4, 1), scalar first, its sign kept."""
-    norm = _length(let, stored, SHORT)
+def of_quaternion(let: Let, stored: Matrix) -> Scaled:
+    """Unit quaternion of stored numbers q (4, 1), scalar first, its sign kept.
+
+    Its kernel goes on below w = 0 by k(w) = pi/s - k(-w), up to -i, where there is no axis, and
+    property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0.
+    """
+    square = _square(let, stored[1:, :])
+    norm = _length(let, square + stored[0] ** 2, LEAST)
     scale = let("scale", 1 / norm, "1", "to unit length")
-    w = _plain(let, stored[0] * scale)
-    v = let("v", stored[1:, :] * scale, "1", "sin of half the error angle times its axis")
-    _full(let, w, v)
-    return Cover(w, v)
+    error = _scaled(let, stored[0], stored[1:, :], scale, _cosine)
+    w = error.w
+    near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
+    cases = (square + FLOOR, w >= 0), (square, square > CUT**2), (CUT**2, True)
+    divisor = let("divisor", Piecewise(*cases, evaluate=False), "1", "the same, never zero")
+    far = Piecewise((sympy.S.One, w >= 0), (sqrt(divisor) * scale, True), evaluate=False)
+    distance = let("distance", far, "1", "distance from -i: |v| beyond pi, and 1 before")
+    value = Piecewise((near, w >= 0), (pi / distance - near, True), evaluate=False)
+    k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
+    _divided(let, divisor, error, k)
+    return replace(error, distance=distance)
 
 
-def let_cosine(let: Let, value: Expr) -> Expr:
-    """Step of w, at most 1: beyond, polynomials grow fast."""
-    cosine = let("cosine", value, "1", "cos of half the error angle, rounded")
-    found: Expr = let("w", at_most(cosine, 1), "1", "cos of half the error angle")
+def _square(let: Let, raw: Matrix) -> Expr:
+    found: Expr = let("square", raw.dot(raw), "1", "square of its vector part")
     return found
 
 
-def _plain(let: Let, value: Expr) -> Expr:
+def _length(let: Let, square: Expr, least: Expr) -> Expr:
+    """Step of a length whose square is known to be above `least`."""
+    square = let("norm_square", square, "1", "its squared length")
+    bounded = let("norm_bounded", at_least(square, least), "1", "the same: less is no element")
+    found: Expr = let("norm", sqrt(bounded), "1", "its length")
+    return found
+
+
+def _cosine(let: Let, value: Expr) -> Expr:
     found: Expr = let("w", value, "1", "cos of half the error angle")
     return found
 
 
-def _length(let: Let, row: Matrix, least: Expr) -> Expr:
-    """Step of |row|, whose square is known to be above `least`."""
-    square = let("norm_square", row.dot(row), "1", "squared length")
-    bounded = let("norm_bounded", at_least(square, least), "1", "the same: less is no element")
-    found: Expr = let("norm", sqrt(bounded), "1", "length")
-    return found
+def _scaled(
+    let: Let, scalar: Expr, raw: Matrix, scale: Expr, cosine: Callable[[Let, Expr], Expr]
+) -> Scaled:
+    w = cosine(let, scalar * scale)
+    v = let("v", raw * scale, "1", "sin of half the error angle times its axis")
+    return Scaled(w, v, raw, scale)
 
 
 def polynomials(let: Let, w: Expr) -> None:
@@ -133,43 +175,28 @@ def polynomials(let: Let, w: Expr) -> None:
     let("h", H(w), "1", "-dk/dw", stands_for=H(w))
 
 
-def _half(let: Let, w: Expr) -> None:
-    """Kernel for w in [0, 1]: k by its polynomial, h by the identity s^2 h = 1 - w k."""
-    k = let("k", K(w), "1", "half angle over its sine", stands_for=K(w))
-    square = let("sine_square", (1 - w) * (1 + w), "1", "1 - w^2, below zero by an ulp at most")
-    _divided(let, sympy.Abs(square) + FLOOR, w, k)
+def _divided(let: Let, square: Expr, error: Scaled, k: Expr) -> None:
+    """h scale^2 from s^2 = square scale^2: rough where s is small, and so little that none sees it.
 
-
-def _full(let: Let, w: Expr, v: Matrix) -> None:
-    """Kernel for w in (-1, 1]: below zero by k(w) = pi/s - k(-w).
-
-    At -i there is no axis, and property (ii) of the law, nu_u(g^-1) = -nu_u(g), leaves only 0,
-    which 2 k v is where k is finite.
+    Whoever needs h alone gets it from there.
     """
-    near = let("k_near", K(sympy.Abs(w)), "1", "half angle over its sine, for |w|")
-    square = let("sine_square", v.dot(v), "1", "v.v")
-    bounded = let("sine_bounded", at_least(square, CUT**2), "1", "the same, away from -i and i")
-    s = let("sine", sqrt(bounded), "1", "|v|", stands_for=sqrt(v.dot(v)))
-    value = Piecewise((near, w >= 0), (pi / s - near, True), evaluate=False)
-    k = let("k", value, "1", "half angle over its sine, on to 2 pi", stands_for=K(w))
-    _divided(let, bounded, w, k)
+    w, scale = error.w, error.scale
+    doc, value = "-dk/dw by the scale's square, as s^2 h = 1 - w k", (1 - w * k) / square
+    h = let("h_raw", value, "1", doc, stands_for=H(w) * scale**2)
+    let("h", h / scale**2, "1", "-dk/dw", stands_for=H(w))
 
 
-def _divided(let: Let, square: Expr, w: Expr, k: Expr) -> None:
-    """h from s^2: where s is small the quotient is rough, and so little that none sees it."""
-    quotient = (1 - w * k) / square
-    let("h", quotient, "1", "-dk/dw, as (1 - w k)/s^2", stands_for=H(w))
-
-
-def _quadruple(R: Matrix) -> Matrix:
+def _quadruple(let: Let, R: Matrix) -> Matrix:
     """Upper triangle, by rows, of 4 p p^T from a rotation R (3, 3), p = (v, w)."""
     x, y, z = R[0, 0], R[1, 1], R[2, 2]
+    pairs = Matrix([1 + x, 1 - x, y + z, y - z])
+    more, less, both, apart = let("pairs", pairs, "1", "what B's diagonal is made of")
     return Matrix(
         [
-            1 + (x - y - z), R[0, 1] + R[1, 0], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2],
-            1 + (y - x - z), R[1, 2] + R[2, 1], R[0, 2] - R[2, 0],
-            1 + (z - x - y), R[1, 0] - R[0, 1],
-            1 + (x + y + z),
+            more - both, R[0, 1] + R[1, 0], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2],
+            less + apart, R[1, 2] + R[2, 1], R[0, 2] - R[2, 0],
+            less - apart, R[1, 0] - R[0, 1],
+            more + both,
         ]
     )  # fmt: skip
 

@@ -15,7 +15,7 @@ import sympy
 from sympy import ImmutableMatrix, Matrix
 
 from derive.lie.chart import Charted
-from derive.lie.cover import Cover, Let
+from derive.lie.cover import Let, Scaled
 
 Pull = Callable[[str, Matrix], Matrix]
 """(name, x) -> Ad of g^-1 on x (n, 1); its steps are named after `name`."""
@@ -54,7 +54,7 @@ class Group:
     residual: Callable[[Matrix], Matrix]
     storage: str
     shape: tuple[int, ...]
-    cover: Callable[[Let, Matrix], Cover] | None = None
+    cover: Callable[[Let, Matrix], Scaled] | None = None
     chart: Charted | None = None
     factors: tuple[Group, ...] = ()
     first: tuple[Group, ImmutableMatrix] | None = None

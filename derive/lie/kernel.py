@@ -41,10 +41,10 @@ FLOOR = sympy.Symbol("FLOOR", positive=True)
 CUT = sympy.Symbol("CUT", positive=True)
 """Least sine that an error beyond pi is divided by: where a law is refused, it stays bounded."""
 
-SHORT = sympy.Symbol("SHORT", positive=True)
-"""Squared length below which numbers are no quaternion, and are not brought to length 1."""
+LEAST = sympy.Symbol("LEAST", positive=True)
+"""Least square of a quaternion's length: below that of any unit quaternion."""
 
-CONSTANTS = (TINY, SMALL, FLOOR, CUT, SHORT)
+CONSTANTS = (TINY, SMALL, FLOOR, CUT, LEAST)
 """All of them: zero in the maths, and a number in each scalar."""
 
 

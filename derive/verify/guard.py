@@ -16,7 +16,7 @@ from derive.verify.backend import Backend
 from derive.verify.batch import at_rest, ladder
 from derive.verify.check import Check
 from derive.verify.derived import lie_group
-from derive.verify.limits import LIMITS
+from derive.verify.limits import EPS, LIMITS
 from derive.verify.plant import Plant
 from derive.verify.sample import States
 from derive.verify.shape import space
@@ -37,15 +37,41 @@ def guard(subject: Subject) -> Iterator[Check]:
 
 
 def _lets_through(subject: Subject, backend: Backend) -> Check:
-    """Equal to the bare law bit for bit, with the status that the truth's clearance asks for."""
+    """Equal to the bare law bit for bit, with the status that the truth's clearance asks for.
+
+    Where the vehicle has limits, the force is the bare one within them.
+    """
     batch = at_rest(subject.vehicle, backend.scalar, subject.each, subject.seed)
     command, bare = (backend.run(name, batch.states) for name in ("control", subject.law))
     clearance = batch.truth.branches[0]["clearance"][0][:, 0]
     expected, is_sure = _status(subject, clearance, backend.scalar)
+    is_over, is_kept = _within(subject.vehicle, backend.scalar, bare["force"], command["force"])
+    expected = np.maximum(expected, np.where(is_over, VALUE["SATURATED"], VALUE["OK"]))
     refused = (expected >= VALUE["NOT_ON_GROUP"])[:, None]
-    differ = [(command[n] != np.where(refused, 0.0, bare[n])).any(-1) for n in bare]
+    differ = [(command[n] != np.where(refused, 0.0, bare[n])).any(-1)
+              for n in bare if n != "force"]  # fmt: skip
+    differ.append(np.where(refused[:, 0], (command["force"] != 0).any(-1), ~is_kept))
     bad = is_sure & (np.any(differ, axis=0) | (command["status"] != expected))
     return rows("control: the law, and its status", backend.name, bad, batch.states)
+
+
+def _within(vehicle: Plant, scalar: str, bare: Array, found: Array) -> tuple[Array, Array]:
+    """Whether a bare force is beyond the limits, and whether what was found of it is right, (N,).
+
+    Unchanged where it is not beyond; else within the limits, and to 4 eps the bare force shrunk
+    as a whole or cut by coordinate.
+    """
+    if not vehicle.force_limit:
+        return np.zeros(len(bare), dtype=bool), (found == bare).all(-1)
+    limit = np.array([float(x) for x in vehicle.force_limit]).astype(bare.dtype).astype(float)
+    wide = bare.astype(float)
+    size = np.abs(wide)
+    is_over = (size > limit).any(-1)
+    share = np.min(limit / np.maximum(size, limit), axis=-1, keepdims=True)
+    wanted = wide * share if vehicle.saturation == "direction" else np.clip(wide, -limit, limit)
+    is_near = np.abs(found - wanted) <= 4 * EPS[scalar] * np.abs(wanted)
+    is_right = is_near.all(-1) & (np.abs(found) <= limit).all(-1)
+    return is_over, np.where(is_over, is_right, (found == bare).all(-1))
 
 
 def _status(subject: Subject, clearance: Array, scalar: str) -> tuple[Array, Array]:

@@ -48,7 +48,7 @@ _TABLE = (
     Limit("twin", 1e-12, "relative", "CasADi's derivative of the printed formula, mid angles"),
     Limit("symbolic", 1e-40, "relative", "chain rule against closed form, 50 digits"),
     Limit("rows", 0, "rows", "rows that differ, or are not finite"),
-    Limit("findings", 0, "findings", "of an attack: promises of the emitted code that are broken"),
+    Limit("attack", 0, "findings", "promises of the emitted code broken, or code never run"),
     Limit("mutant", 30, "eps", "movement from which a mutant must be caught"),
     Limit("mutant_own", 4500, "eps", "the same on a user's group: ten times its promise, as above"),
     Limit("coefficient", 1e-9, "relative", "change of a coefficient that a mutant makes"),

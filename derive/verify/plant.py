@@ -18,6 +18,8 @@ Rows = tuple[tuple[Fraction, ...], ...]
 class Plant:
     """The numbers of a vehicle, exact: inertia (n, n), and gains in the order of CONTROLLERS.
 
+    force_limit, saturation: what `control` keeps the force to, n numbers, and whether it keeps
+        its "direction" or cuts each "axis"; empty where it keeps to nothing
     own:     n matrices (m, m), the basis of a user's group; None for a group known by its name
     options: of "external" and "momentum", what the state holds besides
     """
@@ -29,6 +31,8 @@ class Plant:
     controller: str = "gsmc"
     own: tuple[Rows, ...] | None = None
     options: tuple[str, ...] = ()
+    force_limit: tuple[Fraction, ...] = ()
+    saturation: str = ""
 
     @property
     def space(self) -> str | tuple[Rows, ...]:

@@ -97,7 +97,12 @@ def _one_flow(
     if f"v{mark}" in known:
         v = Matrix(known[f"v{mark}"])
         let = lambda name, *rest: d.let(f"{name}{mark}", *rest)  # noqa: E731
-        yield from Cover(w, v).rate(let, nu[:3, :]).items()
+        rates = Cover(w, v).rate(let, nu[:3, :])
+        yield from rates.items()
+        (scale,) = known[f"scale{mark}"]
+        yield scale, sympy.S.Zero  # the length it is scaled from may be taken as constant
+        if f"power{mark}" in known:
+            yield from zip(known[f"power{mark}"], (rates[one] / scale for one in v), strict=False)
     else:  # in the plane
         (s,) = known[f"sine{mark}"]
         yield w, -s * nu[0] / 2

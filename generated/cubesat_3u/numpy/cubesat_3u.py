@@ -1,133 +1,4 @@
-"""cubesat_3u: gsmc on SO3, law {'arguments': ['nu', 'momentum', 'nu_r', 'nu_r_dot', 'g_e'], 'doc':
-'force that drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state',
-'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by row',
-'entries': [['inertia_0', 0], ['inertia_3', 3], ['inertia_5', 5]], 'holder': 'params', 'is_scalar':
-False, 'member': 'inertia', 'name': 'inertia', 'shape': [6], 'size': 6, 'source': '', 'unit': 'kg
-m^2'}, {'argument': 'lambda_', 'doc': 'sliding rate', 'entries': [['rate_gain', 0]], 'holder':
-'params', 'is_scalar': True, 'member': 'lambda', 'name': 'rate_gain', 'shape': [1], 'size': 1,
-'source': '', 'unit': '1/s'}, {'argument': 'k_s', 'doc': 'reaching rate', 'entries': [['reach_gain',
-0]], 'holder': 'params', 'is_scalar': True, 'member': 'k_s', 'name': 'reach_gain', 'shape': [1],
-'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'nu', 'doc': 'body velocity', 'entries':
-[['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state', 'is_scalar': False, 'member': 'nu',
-'name': 'nu', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument': 'momentum',
-'doc': 'internal momentum, of wheels', 'entries': [['momentum_0', 0], ['momentum_1', 1],
-['momentum_2', 2]], 'holder': 'state', 'is_scalar': False, 'member': 'momentum', 'name': 'momentum',
-'shape': [3], 'size': 3, 'source': '', 'unit': 'N m s'}, {'argument': 'nu_r', 'doc': 'reference
-velocity, reference body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder':
-'reference', 'is_scalar': False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3, 'source':
-'', 'unit': 'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0],
-['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member':
-'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s^2'},
-{'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2],
-['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8]], 'holder': '',
-'is_scalar': False, 'member': 'g_e', 'name': 'g_e', 'shape': [9], 'size': 9, 'source': 'eq.
-(velErr)', 'unit': '1'}], 'is_public': False, 'name': 'tracking', 'operations': 187, 'outputs':
-[{'doc': 'control force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder': 'command',
-'is_scalar': False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '', 'unit': 'N m'},
-{'doc': 'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder': 'command', 'is_scalar':
-False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit': 'rad/s'}, {'doc': 'kinematic
-law', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'holder': 'command', 'is_scalar': False, 'member':
-'nu_u', 'name': 'nu_u', 'size': 3, 'source': '', 'unit': 'rad'}, {'doc': 'its exact rate',
-'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'holder': 'command', 'is_scalar': False,
-'member': 'nu_u_dot', 'name': 'nu_u_dot', 'size': 3, 'source': '', 'unit': 'rad/s'}, {'doc':
-'distance from the cut locus of the law', 'entries': ['w'], 'holder': '', 'is_scalar': True,
-'member': 'clearance', 'name': 'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes':
-['command', 'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc': 'reference
-velocity in the body frame', 'holder': '', 'is_scalar': False, 'lines': [['eta_0', 'g_e_0*nu_r_0 +
-g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2',
-'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']], 'member': '', 'name': 'eta', 'names': ['eta_0',
-'eta_1', 'eta_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc':
-'velocity error', 'holder': '', 'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
-'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e', 'names': ['nu_e_0',
-'nu_e_1', 'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc':
-'exact rate of eta', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_0', 'eta_1*nu_e_2 +
-g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0
-+ g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2'], ['eta_dot_2',
-'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_1*nu_e_0']], 'member':
-'', 'name': 'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'size': 3, 'source': '',
-'unit': 'rad/s^2'}, {'cases': [], 'doc': '4 p p^T, p = (v, w), by rows', 'holder': '', 'is_scalar':
-False, 'lines': [['B_0', '1.0 + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 +
-g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0 + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'],
-['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0 + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9',
-'1.0 + g_e_0 + g_e_4 + g_e_8']], 'member': '', 'name': 'B', 'names': ['B_0', 'B_1', 'B_2', 'B_3',
-'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'size': 10, 'source': 'polar factor of Markley and
-Bar-Itzhack', 'unit': '1'}, {'cases': [{'condition': 'B_9.real >= 1.0', 'lines': [['column_0',
-'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >=
-B_4.real) & (B_0.real >= B_7.real)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
-['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4.real >= B_7.real', 'lines':
-[['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition':
-'', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}],
-'doc': 'a column of B that cannot vanish', 'holder': '', 'is_scalar': False, 'lines': [], 'member':
-'', 'name': 'column', 'names': ['column_0', 'column_1', 'column_2', 'column_3'], 'size': 4,
-'source': '', 'unit': '1'}, {'cases': [], 'doc': 'the column after one power step', 'holder': '',
-'is_scalar': False, 'lines': [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 +
-B_3*column_3'], ['power_1', 'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'],
-['power_2', 'B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0
-+ B_6*column_1 + B_8*column_2 + B_9*column_3']], 'member': '', 'name': 'power', 'names': ['power_0',
-'power_1', 'power_2', 'power_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
-'squared length', 'holder': '', 'is_scalar': True, 'lines': [['norm_square', 'power_0*power_0 +
-power_1*power_1 + power_2*power_2 + power_3*power_3']], 'member': '', 'name': 'norm_square',
-'names': ['norm_square'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition':
-'norm_square.real < 49.0', 'lines': [['norm_bounded', '49.0']]}, {'condition': '', 'lines':
-[['norm_bounded', 'norm_square']]}], 'doc': 'the same: less is no element', 'holder': '',
-'is_scalar': True, 'lines': [], 'member': '', 'name': 'norm_bounded', 'names': ['norm_bounded'],
-'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'length', 'holder': '', 'is_scalar':
-True, 'lines': [['norm', 'np.sqrt(norm_bounded)']], 'member': '', 'name': 'norm', 'names': ['norm'],
-'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'power_3.real < 0.0', 'lines':
-[['scale', '-1.0/norm']]}, {'condition': '', 'lines': [['scale', '1.0/norm']]}], 'doc': 'to unit
-length, and to w >= 0: the shorter way round', 'holder': '', 'is_scalar': True, 'lines': [],
-'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-[], 'doc': 'cos of half the error angle', 'holder': '', 'is_scalar': True, 'lines': [['w',
-'power_3*scale']], 'member': '', 'name': 'w', 'names': ['w'], 'size': 1, 'source': '', 'unit': '1'},
-{'cases': [], 'doc': 'sin of half the error angle times its axis', 'holder': '', 'is_scalar': False,
-'lines': [['v_0', 'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'member':
-'', 'name': 'v', 'names': ['v_0', 'v_1', 'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases':
-[], 'doc': 'half angle over its sine', 'holder': '', 'is_scalar': True, 'lines': [['k', '_k(w)']],
-'member': '', 'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [],
-'doc': '1 - w^2, below zero by an ulp at most', 'holder': '', 'is_scalar': True, 'lines':
-[['sine_square', '(1.0 + w)*(1.0 - w)']], 'member': '', 'name': 'sine_square', 'names':
-['sine_square'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': '-dk/dw, as (1 - w
-k)/s^2', 'holder': '', 'is_scalar': True, 'lines': [['h', '(1.0 - k*w)/(1.0e-17 +
-np.where(sine_square.real < 0.0, -sine_square, sine_square))']], 'member': '', 'name': 'h', 'names':
-['h'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'kinematic law, the rotation
-vector', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_0', '2.0*k*v_0'], ['nu_u_1',
-'2.0*k*v_1'], ['nu_u_2', '2.0*k*v_2']], 'member': '', 'name': 'nu_u', 'names': ['nu_u_0', 'nu_u_1',
-'nu_u_2'], 'size': 3, 'source': 'eq. (KinCtrlLawSO3)', 'unit': 'rad'}, {'cases': [], 'doc': 'v x
-nu_e', 'holder': '', 'is_scalar': False, 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1',
-'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'member': '', 'name': 'turn',
-'names': ['turn_0', 'turn_1', 'turn_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [],
-'doc': 'v x (v x nu_e)', 'holder': '', 'is_scalar': False, 'lines': [['bend_0', 'turn_2*v_1 -
-turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']],
-'member': '', 'name': 'bend', 'names': ['bend_0', 'bend_1', 'bend_2'], 'size': 3, 'source': '',
-'unit': 'rad/s'}, {'cases': [], 'doc': 'exact rate of nu_u', 'holder': '', 'is_scalar': False,
-'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h +
-k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'member': '', 'name': 'nu_u_dot',
-'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '', 'unit': 'rad/s'},
-{'cases': [], 'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False, 'lines': [['drive_0',
-'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'member':
-'', 'name': 'drive', 'names': ['drive_0', 'drive_1', 'drive_2'], 'size': 3, 'source': '', 'unit':
-'rad/s'}, {'cases': [], 'doc': 'sliding variable', 'holder': '', 'is_scalar': False, 'lines':
-[['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'member':
-'', 'name': 's', 'names': ['s_0', 's_1', 's_2'], 'size': 3, 'source': 'eq. (SurfaceErr)', 'unit':
-'rad/s'}, {'cases': [], 'doc': 'acceleration asked for', 'holder': '', 'is_scalar': False, 'lines':
-[['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
-nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-reach_gain*s_2']], 'member': '', 'name': 'wanted', 'names': ['wanted_0', 'wanted_1', 'wanted_2'],
-'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'lambda nu_u - eta', 'holder': '',
-'is_scalar': False, 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'],
-['turning_2', 'drive_2 - eta_2']], 'member': '', 'name': 'turning', 'names': ['turning_0',
-'turning_1', 'turning_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'I nu and
-the internal momentum', 'holder': '', 'is_scalar': False, 'lines': [['whole_momentum_0', 'momentum_0
-+ inertia_0*nu_0'], ['whole_momentum_1', 'momentum_1 + inertia_3*nu_1'], ['whole_momentum_2',
-'momentum_2 + inertia_5*nu_2']], 'member': '', 'name': 'whole_momentum', 'names':
-['whole_momentum_0', 'whole_momentum_1', 'whole_momentum_2'], 'size': 3, 'source': '', 'unit': 'N m
-s'}, {'cases': [], 'doc': 'control force, I f_u', 'holder': '', 'is_scalar': False, 'lines':
-[['force_0', 'inertia_0*wanted_0 + turning_2*whole_momentum_1 - turning_1*whole_momentum_2'],
-['force_1', 'inertia_3*wanted_1 + turning_0*whole_momentum_2 - turning_2*whole_momentum_0'],
-['force_2', 'inertia_5*wanted_2 + turning_1*whole_momentum_0 - turning_0*whole_momentum_1']],
-'member': '', 'name': 'force', 'names': ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq.
-(TckCtrl)', 'unit': 'N m'}], 'symbol': 'tracking', 'temporaries': 68, 'writes': ['command',
-'clearance']}, double precision, batched.
+"""cubesat_3u: gsmc on SO3, law log (the rotation vector), double precision, batched.
 
 Generated by derive from the vehicle file cubesat_3u.toml; regenerate instead of editing.
 Configuration: rotation matrix, row by row.
@@ -175,6 +46,7 @@ class Params(NamedTuple):
     inertia: Array
     lambda_: Array
     k_s: Array
+    force_limit: Array = (0.002, 0.002, 0.002)  # largest force of each coordinate [N m]
     max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
@@ -215,6 +87,7 @@ def control(
         _real("nu_r", nu_r, (3,)),
         _real("nu_r_dot", nu_r_dot, (3,)),
     ]
+    force_limit = _real("force_limit", params.force_limit, (3,))
     max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
@@ -227,7 +100,7 @@ def control(
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[8]) <= MAX_INPUT).all(-1)
         good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
-        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        command[0], status = _saturated(command[0], force_limit)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
         refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
@@ -256,6 +129,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
         good = good & (inertia[..., [1, 2, 4]] == 0.0).all(-1)
         good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
         good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        limit = _real("force_limit", params.force_limit, (3,))
+        good = good & ((limit >= MIN_GAIN) & (limit <= MAX_PARAM)).all(-1)
         drift = _real("max_drift", params.max_drift, ())
         good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
@@ -379,6 +254,18 @@ def _judge(rows: Array) -> Array:
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
 
 
+def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
+    """The force within its limits, (..., 3), and OK, SATURATED or NONFINITE_INPUT, (...)."""
+    size = np.abs(force)
+    share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
+    cut = force * share
+    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
+    usable = ((np.abs(cut) <= limit)).all(-1)
+    within = (size <= limit).all(-1)
+    status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
+    return np.where(within[..., None], force, cut), status
+
+
 def _k(w: Array) -> Array:
     """Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w."""
     z = 1.0 - w
@@ -448,17 +335,22 @@ def _law(
     eta_dot_0 = eta_1*nu_e_2 + g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1
     eta_dot_1 = eta_2*nu_e_0 + g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2
     eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_1*nu_e_0
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_4 + g_e_8
+    pairs_3 = g_e_4 - g_e_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_4 - g_e_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_3
     B_2 = g_e_2 + g_e_6
     B_3 = g_e_7 - g_e_5
-    B_4 = 1.0 + g_e_4 - g_e_0 - g_e_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_5 + g_e_7
     B_6 = g_e_2 - g_e_6
-    B_7 = 1.0 + g_e_8 - g_e_0 - g_e_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_3 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_4 + g_e_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -480,44 +372,46 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # sine_square: 1 - w^2, below zero by an ulp at most [1]
-    sine_square = (1.0 + w)*(1.0 - w)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/(square + 1.0e-17)
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_e_2*v_1 - nu_e_1*v_2
-    turn_1 = nu_e_0*v_2 - nu_e_2*v_0
-    turn_2 = nu_e_1*v_0 - nu_e_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = power_0*stretch
+    nu_u_1 = power_1*stretch
+    nu_u_2 = power_2*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = nu_e_2*power_1 - nu_e_1*power_2
+    turn_1 = nu_e_0*power_2 - nu_e_2*power_0
+    turn_2 = nu_e_1*power_0 - nu_e_0*power_1
+    # bend: vector part x that [rad/s]
+    bend_0 = power_1*turn_2 - power_2*turn_1
+    bend_1 = power_2*turn_0 - power_0*turn_2
+    bend_2 = power_0*turn_1 - power_1*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -530,10 +424,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # whole_momentum: I nu and the internal momentum [N m s]
     whole_momentum_0 = momentum_0 + inertia_0*nu_0
     whole_momentum_1 = momentum_1 + inertia_3*nu_1
@@ -565,17 +459,22 @@ def _reaching(
     )
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
     momentum_0, momentum_1, momentum_2 = momentum[0], momentum[1], momentum[2]
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_0
+    pairs_1 = 1.0 - g_0
+    pairs_2 = g_4 + g_8
+    pairs_3 = g_4 - g_8
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 - g_4 - g_8
+    B_0 = pairs_0 - pairs_2
     B_1 = g_1 + g_3
     B_2 = g_2 + g_6
     B_3 = g_7 - g_5
-    B_4 = 1.0 + g_4 - g_0 - g_8
+    B_4 = pairs_1 + pairs_3
     B_5 = g_5 + g_7
     B_6 = g_2 - g_6
-    B_7 = 1.0 + g_8 - g_0 - g_4
+    B_7 = pairs_1 - pairs_3
     B_8 = g_3 - g_1
-    B_9 = 1.0 + g_0 + g_4 + g_8
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -597,44 +496,46 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = power_0*scale
-    v_1 = power_1*scale
-    v_2 = power_2*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # sine_square: 1 - w^2, below zero by an ulp at most [1]
-    sine_square = (1.0 + w)*(1.0 - w)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/(1.0e-17 + np.where(sine_square.real < 0.0, -sine_square, sine_square))
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/(square + 1.0e-17)
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_2*v_1 - nu_1*v_2
-    turn_1 = nu_0*v_2 - nu_2*v_0
-    turn_2 = nu_1*v_0 - nu_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = power_0*stretch
+    nu_u_1 = power_1*stretch
+    nu_u_2 = power_2*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = nu_2*power_1 - nu_1*power_2
+    turn_1 = nu_0*power_2 - nu_2*power_0
+    turn_2 = nu_1*power_0 - nu_0*power_1
+    # bend: vector part x that [rad/s]
+    bend_0 = power_1*turn_2 - power_2*turn_1
+    bend_1 = power_2*turn_0 - power_0*turn_2
+    bend_2 = power_0*turn_1 - power_1*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -743,19 +644,12 @@ def _drift(
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3 + g_e_6*g_e_6
     off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7
-    off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8
-    off_3 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
-    off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8
-    off_5 = g_e_2*g_e_2 - 1.0 + g_e_5*g_e_5 + g_e_8*g_e_8
-    off_6 = (
-        g_e_0*g_e_4*g_e_8 - 1.0 + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 - g_e_0*g_e_5*g_e_7 -
-        g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6
-    )
+    off_2 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4 + g_e_7*g_e_7
+    off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7
+    off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6
+    off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4
     # drift: square of the distance from the group [1]
-    drift = (
-        off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 +
-        off_6*off_6
-    )
+    drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5
     # -- end --
     return (
         (drift,),

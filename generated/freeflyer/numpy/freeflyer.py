@@ -1,205 +1,4 @@
-"""freeflyer: gsmc on SE3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force that
-drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state', 'reference'],
-'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by row', 'entries':
-[['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2], ['inertia_4', 4], ['inertia_5', 5],
-['inertia_6', 6], ['inertia_7', 7], ['inertia_8', 8], ['inertia_10', 10], ['inertia_11', 11],
-['inertia_12', 12], ['inertia_13', 13], ['inertia_15', 15], ['inertia_18', 18], ['inertia_20', 20]],
-'holder': 'params', 'is_scalar': False, 'member': 'inertia', 'name': 'inertia', 'shape': [21],
-'size': 21, 'source': '', 'unit': 'kg m^2, kg m, kg'}, {'argument': 'lambda_', 'doc': 'sliding
-rate', 'entries': [['rate_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'lambda',
-'name': 'rate_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'k_s',
-'doc': 'reaching rate', 'entries': [['reach_gain', 0]], 'holder': 'params', 'is_scalar': True,
-'member': 'k_s', 'name': 'reach_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'},
-{'argument': 'nu', 'doc': 'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2],
-['nu_3', 3], ['nu_4', 4], ['nu_5', 5]], 'holder': 'state', 'is_scalar': False, 'member': 'nu',
-'name': 'nu', 'shape': [6], 'size': 6, 'source': '', 'unit': 'rad/s, m/s'}, {'argument': 'nu_r',
-'doc': 'reference velocity, reference body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
-['nu_r_2', 2], ['nu_r_3', 3], ['nu_r_4', 4], ['nu_r_5', 5]], 'holder': 'reference', 'is_scalar':
-False, 'member': 'nu', 'name': 'nu_r', 'shape': [6], 'size': 6, 'source': '', 'unit': 'rad/s, m/s'},
-{'argument': 'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1],
-['nu_r_dot_2', 2], ['nu_r_dot_3', 3], ['nu_r_dot_4', 4], ['nu_r_dot_5', 5]], 'holder': 'reference',
-'is_scalar': False, 'member': 'nu_dot', 'name': 'nu_r_dot', 'shape': [6], 'size': 6, 'source': '',
-'unit': 'rad/s^2, m/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries': [['g_e_0', 0],
-['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7],
-['g_e_8', 8], ['g_e_9', 9], ['g_e_10', 10], ['g_e_11', 11]], 'holder': '', 'is_scalar': False,
-'member': 'g_e', 'name': 'g_e', 'shape': [16], 'size': 16, 'source': 'eq. (velErr)', 'unit': '1'}],
-'is_public': False, 'name': 'tracking', 'operations': 489, 'outputs': [{'doc': 'control force',
-'entries': ['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5'], 'holder': 'command',
-'is_scalar': False, 'member': 'force', 'name': 'force', 'size': 6, 'source': '', 'unit': 'N m, N'},
-{'doc': 'sliding variable', 'entries': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5'], 'holder':
-'command', 'is_scalar': False, 'member': 's', 'name': 's', 'size': 6, 'source': '', 'unit': 'rad/s,
-m/s'}, {'doc': 'kinematic law', 'entries': ['phi_0', 'phi_1', 'phi_2', 'rho_p_0', 'rho_p_1',
-'rho_p_2'], 'holder': 'command', 'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 6,
-'source': '', 'unit': 'rad, m'}, {'doc': 'its exact rate', 'entries': ['nu_u_dot_0', 'nu_u_dot_1',
-'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'], 'holder': 'command', 'is_scalar': False,
-'member': 'nu_u_dot', 'name': 'nu_u_dot', 'size': 6, 'source': '', 'unit': 'rad/s, m/s'}, {'doc':
-'distance from the cut locus of the law', 'entries': ['w'], 'holder': '', 'is_scalar': True,
-'member': 'clearance', 'name': 'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes':
-['command', 'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc': 'velocity at p',
-'holder': '', 'is_scalar': False, 'lines': [['eta_arm_0_0', 'nu_r_3 + g_e_11*nu_r_1 -
-g_e_7*nu_r_2'], ['eta_arm_0_1', 'nu_r_4 + g_e_3*nu_r_2 - g_e_11*nu_r_0'], ['eta_arm_0_2', 'nu_r_5 +
-g_e_7*nu_r_0 - g_e_3*nu_r_1']], 'member': '', 'name': 'eta_arm_0', 'names': ['eta_arm_0_0',
-'eta_arm_0_1', 'eta_arm_0_2'], 'size': 3, 'source': '', 'unit': 'm/s'}, {'cases': [], 'doc':
-'reference velocity in the body frame', 'holder': '', 'is_scalar': False, 'lines': [['eta_0',
-'g_e_0*nu_r_0 + g_e_4*nu_r_1 + g_e_8*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 + g_e_5*nu_r_1 +
-g_e_9*nu_r_2'], ['eta_2', 'g_e_10*nu_r_2 + g_e_2*nu_r_0 + g_e_6*nu_r_1'], ['eta_3',
-'eta_arm_0_0*g_e_0 + eta_arm_0_1*g_e_4 + eta_arm_0_2*g_e_8'], ['eta_4', 'eta_arm_0_0*g_e_1 +
-eta_arm_0_1*g_e_5 + eta_arm_0_2*g_e_9'], ['eta_5', 'eta_arm_0_0*g_e_2 + eta_arm_0_1*g_e_6 +
-eta_arm_0_2*g_e_10']], 'member': '', 'name': 'eta', 'names': ['eta_0', 'eta_1', 'eta_2', 'eta_3',
-'eta_4', 'eta_5'], 'size': 6, 'source': 'eq. (velErr)', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc':
-'velocity error', 'holder': '', 'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1',
-'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2'], ['nu_e_3', 'nu_3 - eta_3'], ['nu_e_4', 'nu_4 - eta_4'],
-['nu_e_5', 'nu_5 - eta_5']], 'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2',
-'nu_e_3', 'nu_e_4', 'nu_e_5'], 'size': 6, 'source': 'eq. (velErr)', 'unit': 'rad/s, m/s'}, {'cases':
-[], 'doc': 'velocity at p', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_arm_0_0',
-'nu_r_dot_3 + g_e_11*nu_r_dot_1 - g_e_7*nu_r_dot_2'], ['eta_dot_arm_0_1', 'nu_r_dot_4 +
-g_e_3*nu_r_dot_2 - g_e_11*nu_r_dot_0'], ['eta_dot_arm_0_2', 'nu_r_dot_5 + g_e_7*nu_r_dot_0 -
-g_e_3*nu_r_dot_1']], 'member': '', 'name': 'eta_dot_arm_0', 'names': ['eta_dot_arm_0_0',
-'eta_dot_arm_0_1', 'eta_dot_arm_0_2'], 'size': 3, 'source': '', 'unit': 'm/s'}, {'cases': [], 'doc':
-'exact rate of eta', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_0', 'eta_1*nu_e_2 +
-g_e_0*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0
-+ g_e_1*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_9*nu_r_dot_2 - eta_0*nu_e_2'], ['eta_dot_2',
-'eta_0*nu_e_1 + g_e_10*nu_r_dot_2 + g_e_2*nu_r_dot_0 + g_e_6*nu_r_dot_1 - eta_1*nu_e_0'],
-['eta_dot_3', 'eta_1*nu_e_5 + eta_4*nu_e_2 + eta_dot_arm_0_0*g_e_0 + eta_dot_arm_0_1*g_e_4 +
-eta_dot_arm_0_2*g_e_8 - eta_2*nu_e_4 - eta_5*nu_e_1'], ['eta_dot_4', 'eta_2*nu_e_3 + eta_5*nu_e_0 +
-eta_dot_arm_0_0*g_e_1 + eta_dot_arm_0_1*g_e_5 + eta_dot_arm_0_2*g_e_9 - eta_0*nu_e_5 -
-eta_3*nu_e_2'], ['eta_dot_5', 'eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
-eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0']], 'member': '',
-'name': 'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2', 'eta_dot_3', 'eta_dot_4',
-'eta_dot_5'], 'size': 6, 'source': '', 'unit': 'rad/s^2, m/s^2'}, {'cases': [], 'doc': '4 p p^T, p =
-(v, w), by rows', 'holder': '', 'is_scalar': False, 'lines': [['B_0', '1.0 + g_e_0 - g_e_10 -
-g_e_5'], ['B_1', 'g_e_1 + g_e_4'], ['B_2', 'g_e_2 + g_e_8'], ['B_3', 'g_e_9 - g_e_6'], ['B_4', '1.0
-+ g_e_5 - g_e_0 - g_e_10'], ['B_5', 'g_e_6 + g_e_9'], ['B_6', 'g_e_2 - g_e_8'], ['B_7', '1.0 +
-g_e_10 - g_e_0 - g_e_5'], ['B_8', 'g_e_4 - g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_10 + g_e_5']],
-'member': '', 'name': 'B', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8',
-'B_9'], 'size': 10, 'source': 'polar factor of Markley and Bar-Itzhack', 'unit': '1'}, {'cases':
-[{'condition': 'B_9.real >= 1.0', 'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2',
-'B_8'], ['column_3', 'B_9']]}, {'condition': '(B_0.real >= B_4.real) & (B_0.real >= B_7.real)',
-'lines': [['column_0', 'B_0'], ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]},
-{'condition': 'B_4.real >= B_7.real', 'lines': [['column_0', 'B_1'], ['column_1', 'B_4'],
-['column_2', 'B_5'], ['column_3', 'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'],
-['column_1', 'B_5'], ['column_2', 'B_7'], ['column_3', 'B_8']]}], 'doc': 'a column of B that cannot
-vanish', 'holder': '', 'is_scalar': False, 'lines': [], 'member': '', 'name': 'column', 'names':
-['column_0', 'column_1', 'column_2', 'column_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases':
-[], 'doc': 'the column after one power step', 'holder': '', 'is_scalar': False, 'lines':
-[['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1', 'B_1*column_0
-+ B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 + B_5*column_1 +
-B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 + B_8*column_2 +
-B_9*column_3']], 'member': '', 'name': 'power', 'names': ['power_0', 'power_1', 'power_2',
-'power_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'squared length', 'holder':
-'', 'is_scalar': True, 'lines': [['norm_square', 'power_0*power_0 + power_1*power_1 +
-power_2*power_2 + power_3*power_3']], 'member': '', 'name': 'norm_square', 'names': ['norm_square'],
-'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'norm_square.real < 49.0', 'lines':
-[['norm_bounded', '49.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}], 'doc':
-'the same: less is no element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name':
-'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [],
-'doc': 'length', 'holder': '', 'is_scalar': True, 'lines': [['norm', 'np.sqrt(norm_bounded)']],
-'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-[{'condition': 'power_3.real < 0.0', 'lines': [['scale', '-1.0/norm']]}, {'condition': '', 'lines':
-[['scale', '1.0/norm']]}], 'doc': 'to unit length, and to w >= 0: the shorter way round', 'holder':
-'', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1,
-'source': '', 'unit': '1'}, {'cases': [], 'doc': 'cos of half the error angle, rounded', 'holder':
-'', 'is_scalar': True, 'lines': [['cosine', 'power_3*scale']], 'member': '', 'name': 'cosine',
-'names': ['cosine'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'cosine.real >
-1.0', 'lines': [['w', '1.0']]}, {'condition': '', 'lines': [['w', 'cosine']]}], 'doc': 'cos of half
-the error angle', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'w', 'names':
-['w'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'sin of half the error angle
-times its axis', 'holder': '', 'is_scalar': False, 'lines': [['v_0', 'power_0*scale'], ['v_1',
-'power_1*scale'], ['v_2', 'power_2*scale']], 'member': '', 'name': 'v', 'names': ['v_0', 'v_1',
-'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'half angle over its sine',
-'holder': '', 'is_scalar': True, 'lines': [['k', '_k(w)']], 'member': '', 'name': 'k', 'names':
-['k'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': '-dk/dw', 'holder': '',
-'is_scalar': True, 'lines': [['h', '_h(w)']], 'member': '', 'name': 'h', 'names': ['h'], 'size': 1,
-'source': '', 'unit': '1'}, {'cases': [], 'doc': 'rotation vector of the error', 'holder': '',
-'is_scalar': False, 'lines': [['phi_0', '2.0*k*v_0'], ['phi_1', '2.0*k*v_1'], ['phi_2',
-'2.0*k*v_2']], 'member': '', 'name': 'phi', 'names': ['phi_0', 'phi_1', 'phi_2'], 'size': 3,
-'source': '', 'unit': 'rad'}, {'cases': [], 'doc': '1/(2 k)', 'holder': '', 'is_scalar': True,
-'lines': [['half', '0.5/k']], 'member': '', 'name': 'half', 'names': ['half'], 'size': 1, 'source':
-'', 'unit': '1'}, {'cases': [], 'doc': 'Y p', 'holder': '', 'is_scalar': False, 'lines':
-[['swing_p_0', 'g_e_11*v_1 - g_e_7*v_2'], ['swing_p_1', 'g_e_3*v_2 - g_e_11*v_0'], ['swing_p_2',
-'g_e_7*v_0 - g_e_3*v_1']], 'member': '', 'name': 'swing_p', 'names': ['swing_p_0', 'swing_p_1',
-'swing_p_2'], 'size': 3, 'source': '', 'unit': 'm'}, {'cases': [], 'doc': 'Y Y p', 'holder': '',
-'is_scalar': False, 'lines': [['sway_p_0', 'swing_p_2*v_1 - swing_p_1*v_2'], ['sway_p_1',
-'swing_p_0*v_2 - swing_p_2*v_0'], ['sway_p_2', 'swing_p_1*v_0 - swing_p_0*v_1']], 'member': '',
-'name': 'sway_p', 'names': ['sway_p_0', 'sway_p_1', 'sway_p_2'], 'size': 3, 'source': '', 'unit':
-'m'}, {'cases': [], 'doc': 'p - k Y p + h Y Y p', 'holder': '', 'is_scalar': False, 'lines':
-[['rho_p_0', 'g_e_3 + h*sway_p_0 - k*swing_p_0'], ['rho_p_1', 'g_e_7 + h*sway_p_1 - k*swing_p_1'],
-['rho_p_2', 'g_e_11 + h*sway_p_2 - k*swing_p_2']], 'member': '', 'name': 'rho_p', 'names':
-['rho_p_0', 'rho_p_1', 'rho_p_2'], 'size': 3, 'source': '', 'unit': 'm'}, {'cases': [], 'doc':
-'rho/(2 k)', 'holder': '', 'is_scalar': False, 'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1',
-'half*rho_p_1'], ['y_p_2', 'half*rho_p_2']], 'member': '', 'name': 'y_p', 'names': ['y_p_0',
-'y_p_1', 'y_p_2'], 'size': 3, 'source': '', 'unit': 'm'}, {'cases': [], 'doc': 'Y nu_e, Y = ad of
-y', 'holder': '', 'is_scalar': False, 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1',
-'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1'], ['turn_3', 'nu_e_2*y_p_1 +
-nu_e_5*v_1 - nu_e_1*y_p_2 - nu_e_4*v_2'], ['turn_4', 'nu_e_0*y_p_2 + nu_e_3*v_2 - nu_e_2*y_p_0 -
-nu_e_5*v_0'], ['turn_5', 'nu_e_1*y_p_0 + nu_e_4*v_0 - nu_e_0*y_p_1 - nu_e_3*v_1']], 'member': '',
-'name': 'turn', 'names': ['turn_0', 'turn_1', 'turn_2', 'turn_3', 'turn_4', 'turn_5'], 'size': 6,
-'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'Y Y nu_e', 'holder': '', 'is_scalar':
-False, 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'],
-['bend_2', 'turn_1*v_0 - turn_0*v_1'], ['bend_3', 'turn_2*y_p_1 + turn_5*v_1 - turn_1*y_p_2 -
-turn_4*v_2'], ['bend_4', 'turn_0*y_p_2 + turn_3*v_2 - turn_2*y_p_0 - turn_5*v_0'], ['bend_5',
-'turn_1*y_p_0 + turn_4*v_0 - turn_0*y_p_1 - turn_3*v_1']], 'member': '', 'name': 'bend', 'names':
-['bend_0', 'bend_1', 'bend_2', 'bend_3', 'bend_4', 'bend_5'], 'size': 6, 'source': '', 'unit':
-'rad/s, m/s'}, {'cases': [], 'doc': '-dh/dw', 'holder': '', 'is_scalar': True, 'lines': [['m',
-'_m(w)']], 'member': '', 'name': 'm', 'names': ['m'], 'size': 1, 'source': '', 'unit': '1'},
-{'cases': [], 'doc': '-2 v.q', 'holder': '', 'is_scalar': True, 'lines': [['along_p',
-'-2.0*(v_0*y_p_0 + v_1*y_p_1 + v_2*y_p_2)']], 'member': '', 'name': 'along_p', 'names': ['along_p'],
-'size': 1, 'source': '', 'unit': 'm'}, {'cases': [], 'doc': '(Y^2 + s^2) Y^2 nu_e', 'holder': '',
-'is_scalar': False, 'lines': [['tail_3', 'along_p*bend_0'], ['tail_4', 'along_p*bend_1'], ['tail_5',
-'along_p*bend_2']], 'member': '', 'name': 'tail', 'names': ['tail_3', 'tail_4', 'tail_5'], 'size':
-6, 'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'h^2 - k m/2, of the double root',
-'holder': '', 'is_scalar': True, 'lines': [['twofold', 'h*h - 0.5*k*m']], 'member': '', 'name':
-'twofold', 'names': ['twofold'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'exact
-rate of nu_u', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h +
-k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h +
-k*turn_2'], ['nu_u_dot_3', 'nu_e_3 + bend_3*h + k*turn_3 + tail_3*twofold'], ['nu_u_dot_4', 'nu_e_4
-+ bend_4*h + k*turn_4 + tail_4*twofold'], ['nu_u_dot_5', 'nu_e_5 + bend_5*h + k*turn_5 +
-tail_5*twofold']], 'member': '', 'name': 'nu_u_dot', 'names': ['nu_u_dot_0', 'nu_u_dot_1',
-'nu_u_dot_2', 'nu_u_dot_3', 'nu_u_dot_4', 'nu_u_dot_5'], 'size': 6, 'source': '', 'unit': 'rad/s,
-m/s'}, {'cases': [], 'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False, 'lines': [['drive_0',
-'phi_0*rate_gain'], ['drive_1', 'phi_1*rate_gain'], ['drive_2', 'phi_2*rate_gain'], ['drive_3',
-'rate_gain*rho_p_0'], ['drive_4', 'rate_gain*rho_p_1'], ['drive_5', 'rate_gain*rho_p_2']], 'member':
-'', 'name': 'drive', 'names': ['drive_0', 'drive_1', 'drive_2', 'drive_3', 'drive_4', 'drive_5'],
-'size': 6, 'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'sliding variable', 'holder':
-'', 'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'], ['s_2',
-'drive_2 + nu_e_2'], ['s_3', 'drive_3 + nu_e_3'], ['s_4', 'drive_4 + nu_e_4'], ['s_5', 'drive_5 +
-nu_e_5']], 'member': '', 'name': 's', 'names': ['s_0', 's_1', 's_2', 's_3', 's_4', 's_5'], 'size':
-6, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'acceleration asked
-for', 'holder': '', 'is_scalar': False, 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
-reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2',
-'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2'], ['wanted_3', 'eta_dot_3 - nu_u_dot_3*rate_gain
-- reach_gain*s_3'], ['wanted_4', 'eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4'], ['wanted_5',
-'eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5']], 'member': '', 'name': 'wanted', 'names':
-['wanted_0', 'wanted_1', 'wanted_2', 'wanted_3', 'wanted_4', 'wanted_5'], 'size': 6, 'source': '',
-'unit': 'rad/s^2, m/s^2'}, {'cases': [], 'doc': 'lambda nu_u - eta', 'holder': '', 'is_scalar':
-False, 'lines': [['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2',
-'drive_2 - eta_2'], ['turning_3', 'drive_3 - eta_3'], ['turning_4', 'drive_4 - eta_4'],
-['turning_5', 'drive_5 - eta_5']], 'member': '', 'name': 'turning', 'names': ['turning_0',
-'turning_1', 'turning_2', 'turning_3', 'turning_4', 'turning_5'], 'size': 6, 'source': '', 'unit':
-'rad/s, m/s'}, {'cases': [], 'doc': 'I nu', 'holder': '', 'is_scalar': False, 'lines':
-[['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 +
-inertia_5*nu_5'], ['momentum_1', 'inertia_1*nu_0 + inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2
-+ inertia_8*nu_3'], ['momentum_2', 'inertia_11*nu_2 + inertia_12*nu_3 + inertia_13*nu_4 +
-inertia_2*nu_0 + inertia_7*nu_1'], ['momentum_3', 'inertia_12*nu_2 + inertia_15*nu_3 +
-inertia_8*nu_1'], ['momentum_4', 'inertia_13*nu_2 + inertia_18*nu_4 + inertia_4*nu_0'],
-['momentum_5', 'inertia_10*nu_1 + inertia_20*nu_5 + inertia_5*nu_0']], 'member': '', 'name':
-'momentum', 'names': ['momentum_0', 'momentum_1', 'momentum_2', 'momentum_3', 'momentum_4',
-'momentum_5'], 'size': 6, 'source': '', 'unit': 'N m s, N s'}, {'cases': [], 'doc': 'control force,
-I f_u', 'holder': '', 'is_scalar': False, 'lines': [['force_0', 'inertia_0*wanted_0 +
-inertia_1*wanted_1 + inertia_2*wanted_2 + inertia_4*wanted_4 + inertia_5*wanted_5 +
-momentum_1*turning_2 + momentum_4*turning_5 - momentum_2*turning_1 - momentum_5*turning_4'],
-['force_1', 'inertia_1*wanted_0 + inertia_10*wanted_5 + inertia_6*wanted_1 + inertia_7*wanted_2 +
-inertia_8*wanted_3 + momentum_2*turning_0 + momentum_5*turning_3 - momentum_0*turning_2 -
-momentum_3*turning_5'], ['force_2', 'inertia_11*wanted_2 + inertia_12*wanted_3 + inertia_13*wanted_4
-+ inertia_2*wanted_0 + inertia_7*wanted_1 + momentum_0*turning_1 + momentum_3*turning_4 -
-momentum_1*turning_0 - momentum_4*turning_3'], ['force_3', 'inertia_12*wanted_2 +
-inertia_15*wanted_3 + inertia_8*wanted_1 + momentum_4*turning_2 - momentum_5*turning_1'],
-['force_4', 'inertia_13*wanted_2 + inertia_18*wanted_4 + inertia_4*wanted_0 + momentum_5*turning_0 -
-momentum_3*turning_2'], ['force_5', 'inertia_10*wanted_1 + inertia_20*wanted_5 + inertia_5*wanted_0
-+ momentum_3*turning_1 - momentum_4*turning_0']], 'member': '', 'name': 'force', 'names':
-['force_0', 'force_1', 'force_2', 'force_3', 'force_4', 'force_5'], 'size': 6, 'source': 'eq.
-(TckCtrl)', 'unit': 'N m, N'}], 'symbol': 'tracking', 'temporaries': 129, 'writes': ['command',
-'clearance']}, double precision, batched.
+"""freeflyer: gsmc on SE3, law log (the logarithm), double precision, batched.
 
 Generated by derive from the vehicle file freeflyer.toml; regenerate instead of editing.
 Configuration: matrix of 4 rows, row by row.
@@ -248,6 +47,7 @@ class Params(NamedTuple):
     inertia: Array
     lambda_: Array
     k_s: Array
+    force_limit: Array = (0.3, 0.3, 0.3, 1.5, 1.0, 1.0)  # largest force of each coordinate [N m, N]
     max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
@@ -287,6 +87,7 @@ def control(
         _real("nu_r", nu_r, (6,)),
         _real("nu_r_dot", nu_r_dot, (6,)),
     ]
+    force_limit = _real("force_limit", params.force_limit, (6,))
     max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
@@ -298,7 +99,7 @@ def control(
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
         good = good & (_batched(_drift, [g_e, given[3], given[5]])[0] <= max_drift * max_drift)[..., 0]
-        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        command[0], status = _saturated(command[0], force_limit)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
         refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
@@ -327,6 +128,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
         good = good & (inertia[..., [3, 9, 14, 16, 17, 19]] == 0.0).all(-1)
         good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
         good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        limit = _real("force_limit", params.force_limit, (6,))
+        good = good & ((limit >= MIN_GAIN) & (limit <= MAX_PARAM)).all(-1)
         drift = _real("max_drift", params.max_drift, ())
         good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
@@ -441,6 +244,17 @@ def _judge(rows: Array) -> Array:
     """OK, OUT_OF_RANGE or NONFINITE_INPUT for each row, (...)."""
     status = np.where((np.abs(rows) > MAX_INPUT).any(-1), OUT_OF_RANGE, OK)
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
+
+
+def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
+    """The force within its limits, (..., 6), and OK, SATURATED or NONFINITE_INPUT, (...)."""
+    size = np.abs(force)
+    cut = force
+    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
+    usable = (np.isfinite(force) & (np.abs(cut) <= limit)).all(-1)
+    within = (size <= limit).all(-1)
+    status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
+    return np.where(within[..., None], force, cut), status
 
 
 def _k(w: Array) -> Array:
@@ -620,17 +434,22 @@ def _law(
         eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 + eta_dot_arm_0_1*g_e_6 +
         eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0
     )
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_e_0
+    pairs_1 = 1.0 - g_e_0
+    pairs_2 = g_e_10 + g_e_5
+    pairs_3 = g_e_5 - g_e_10
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_e_0 - g_e_10 - g_e_5
+    B_0 = pairs_0 - pairs_2
     B_1 = g_e_1 + g_e_4
     B_2 = g_e_2 + g_e_8
     B_3 = g_e_9 - g_e_6
-    B_4 = 1.0 + g_e_5 - g_e_0 - g_e_10
+    B_4 = pairs_1 + pairs_3
     B_5 = g_e_6 + g_e_9
     B_6 = g_e_2 - g_e_8
-    B_7 = 1.0 + g_e_10 - g_e_0 - g_e_5
+    B_7 = pairs_1 - pairs_3
     B_8 = g_e_4 - g_e_1
-    B_9 = 1.0 + g_e_0 + g_e_10 + g_e_5
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -652,16 +471,20 @@ def _law(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # cosine: cos of half the error angle, rounded [1]
     cosine = power_3*scale
     # w: cos of half the error angle [1]
@@ -749,13 +572,13 @@ def _law(
     wanted_3 = eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3
     wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4
     wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5
-    # turning: lambda nu_u - eta [rad/s, m/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
-    turning_3 = drive_3 - eta_3
-    turning_4 = drive_4 - eta_4
-    turning_5 = drive_5 - eta_5
+    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
+    turning_3 = s_3 - nu_3
+    turning_4 = s_4 - nu_4
+    turning_5 = s_5 - nu_5
     # momentum: I nu [N m s, N s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 + inertia_5*nu_5
     momentum_1 = inertia_1*nu_0 + inertia_10*nu_5 + inertia_6*nu_1 + inertia_7*nu_2 + inertia_8*nu_3
@@ -822,17 +645,22 @@ def _reaching(
         g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10], g[11]
     )
     nu_0, nu_1, nu_2, nu_3, nu_4, nu_5 = nu[0], nu[1], nu[2], nu[3], nu[4], nu[5]
+    # pairs: what B's diagonal is made of [1]
+    pairs_0 = 1.0 + g_0
+    pairs_1 = 1.0 - g_0
+    pairs_2 = g_10 + g_5
+    pairs_3 = g_5 - g_10
     # B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack
-    B_0 = 1.0 + g_0 - g_10 - g_5
+    B_0 = pairs_0 - pairs_2
     B_1 = g_1 + g_4
     B_2 = g_2 + g_8
     B_3 = g_9 - g_6
-    B_4 = 1.0 + g_5 - g_0 - g_10
+    B_4 = pairs_1 + pairs_3
     B_5 = g_6 + g_9
     B_6 = g_2 - g_8
-    B_7 = 1.0 + g_10 - g_0 - g_5
+    B_7 = pairs_1 - pairs_3
     B_8 = g_4 - g_1
-    B_9 = 1.0 + g_0 + g_10 + g_5
+    B_9 = pairs_0 + pairs_2
     # column: a column of B that cannot vanish [1]
     column_if_0 = B_9.real >= 1.0
     column_if_1 = (B_0.real >= B_4.real) & (B_0.real >= B_7.real)
@@ -854,16 +682,20 @@ def _reaching(
     power_1 = B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3
     power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3
     power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3
-    # norm_square: squared length [1]
-    norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3
+    # square: square of its vector part [1]
+    square = power_0*power_0 + power_1*power_1 + power_2*power_2
+    # norm_square: its squared length [1]
+    norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
     norm_bounded_if_0 = norm_square.real < 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
-    # norm: length [1]
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
+    # inverse_norm: to unit length [1]
+    inverse_norm = 1.0/norm
     # scale: to unit length, and to w >= 0: the shorter way round [1]
     scale_if_0 = power_3.real < 0.0
-    scale = np.where(scale_if_0, -1.0/norm, 1.0/norm)
+    scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # cosine: cos of half the error angle, rounded [1]
     cosine = power_3*scale
     # w: cos of half the error angle [1]
@@ -1244,21 +1076,17 @@ def _drift(
     # off: what vanishes on the group, and only there [1]
     off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8
     off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9
-    off_2 = g_e_0*g_e_2 + g_e_10*g_e_8 + g_e_4*g_e_6
-    off_3 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
-    off_4 = g_e_1*g_e_2 + g_e_10*g_e_9 + g_e_5*g_e_6
-    off_5 = g_e_10*g_e_10 - 1.0 + g_e_2*g_e_2 + g_e_6*g_e_6
-    off_6 = (
-        g_e_0*g_e_10*g_e_5 - 1.0 + g_e_1*g_e_6*g_e_8 + g_e_2*g_e_4*g_e_9 - g_e_0*g_e_6*g_e_9 -
-        g_e_1*g_e_10*g_e_4 - g_e_2*g_e_5*g_e_8
-    )
-    off_10 = g_15 - 1.0
-    off_14 = g_r_15 - 1.0
+    off_2 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9
+    off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9
+    off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8
+    off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5
+    off_9 = g_15 - 1.0
+    off_13 = g_r_15 - 1.0
     # drift: square of the distance from the group [1]
     drift = (
         g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 + g_r_14*g_r_14 +
-        off_0*off_0 + off_1*off_1 + off_10*off_10 + off_14*off_14 + off_2*off_2 + off_3*off_3 +
-        off_4*off_4 + off_5*off_5 + off_6*off_6
+        off_0*off_0 + off_1*off_1 + off_13*off_13 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
+        off_5*off_5 + off_9*off_9
     )
     # -- end --
     return (

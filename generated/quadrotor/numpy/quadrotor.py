@@ -1,128 +1,4 @@
-"""quadrotor: gsmc on S3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force that
-drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state', 'reference'],
-'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by row', 'entries':
-[['inertia_0', 0], ['inertia_2', 2], ['inertia_3', 3], ['inertia_5', 5]], 'holder': 'params',
-'is_scalar': False, 'member': 'inertia', 'name': 'inertia', 'shape': [6], 'size': 6, 'source': '',
-'unit': 'kg m^2'}, {'argument': 'lambda_', 'doc': 'sliding rate', 'entries': [['rate_gain', 0]],
-'holder': 'params', 'is_scalar': True, 'member': 'lambda', 'name': 'rate_gain', 'shape': [1],
-'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'k_s', 'doc': 'reaching rate', 'entries':
-[['reach_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'k_s', 'name': 'reach_gain',
-'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'nu', 'doc': 'body velocity',
-'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state', 'is_scalar': False, 'member':
-'nu', 'name': 'nu', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r',
-'doc': 'reference velocity, reference body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1],
-['nu_r_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member': 'nu', 'name': 'nu_r', 'shape':
-[3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate',
-'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference',
-'is_scalar': False, 'member': 'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3, 'source': '',
-'unit': 'rad/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries': [['g_e_0', 0],
-['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'holder': '', 'is_scalar': False, 'member': 'g_e',
-'name': 'g_e', 'shape': [4], 'size': 4, 'source': 'eq. (velErr)', 'unit': '1'}], 'is_public': False,
-'name': 'tracking', 'operations': 185, 'outputs': [{'doc': 'control force', 'entries': ['force_0',
-'force_1', 'force_2'], 'holder': 'command', 'is_scalar': False, 'member': 'force', 'name': 'force',
-'size': 3, 'source': '', 'unit': 'N m'}, {'doc': 'sliding variable', 'entries': ['s_0', 's_1',
-'s_2'], 'holder': 'command', 'is_scalar': False, 'member': 's', 'name': 's', 'size': 3, 'source':
-'', 'unit': 'rad/s'}, {'doc': 'kinematic law', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'holder':
-'command', 'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3, 'source': '', 'unit':
-'rad'}, {'doc': 'its exact rate', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'holder':
-'command', 'is_scalar': False, 'member': 'nu_u_dot', 'name': 'nu_u_dot', 'size': 3, 'source': '',
-'unit': 'rad/s'}, {'doc': 'distance from the cut locus of the law', 'entries': ['distance'],
-'holder': '', 'is_scalar': True, 'member': 'clearance', 'name': 'clearance', 'size': 1, 'source':
-'', 'unit': '1'}], 'public_writes': ['command', 'clearance'], 'source': 'eq. (TckCtrl)', 'steps':
-[{'cases': [], 'doc': 'Ad of g_e^-1: reference to body frame', 'holder': '', 'is_scalar': False,
-'lines': [['to_body_0', '1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3'], ['to_body_1', '2.0*(g_e_0*g_e_3
-+ g_e_1*g_e_2)'], ['to_body_2', '2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2
-- g_e_0*g_e_3)'], ['to_body_4', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5',
-'2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7',
-'2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2']],
-'member': '', 'name': 'to_body', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3',
-'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'], 'size': 9, 'source': '', 'unit':
-'1'}, {'cases': [], 'doc': 'reference velocity in the body frame', 'holder': '', 'is_scalar': False,
-'lines': [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1',
-'nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 +
-nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'member': '', 'name': 'eta', 'names': ['eta_0', 'eta_1',
-'eta_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'velocity
-error', 'holder': '', 'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 -
-eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1',
-'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'exact rate
-of eta', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_0', 'eta_1*nu_e_2 +
-nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1',
-'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
-['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
-eta_1*nu_e_0']], 'member': '', 'name': 'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'],
-'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'squared length', 'holder': '',
-'is_scalar': True, 'lines': [['norm_square', 'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 +
-g_e_3*g_e_3']], 'member': '', 'name': 'norm_square', 'names': ['norm_square'], 'size': 1, 'source':
-'', 'unit': '1'}, {'cases': [{'condition': 'norm_square.real < 1.0e-7.real', 'lines':
-[['norm_bounded', '1.0e-7']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}],
-'doc': 'the same: less is no element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '',
-'name': 'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-[], 'doc': 'length', 'holder': '', 'is_scalar': True, 'lines': [['norm', 'np.sqrt(norm_bounded)']],
-'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-[], 'doc': 'to unit length', 'holder': '', 'is_scalar': True, 'lines': [['scale', '1.0/norm']],
-'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-[], 'doc': 'cos of half the error angle', 'holder': '', 'is_scalar': True, 'lines': [['w',
-'g_e_0*scale']], 'member': '', 'name': 'w', 'names': ['w'], 'size': 1, 'source': '', 'unit': '1'},
-{'cases': [], 'doc': 'sin of half the error angle times its axis', 'holder': '', 'is_scalar': False,
-'lines': [['v_0', 'g_e_1*scale'], ['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']], 'member': '',
-'name': 'v', 'names': ['v_0', 'v_1', 'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases': [],
-'doc': 'half angle over its sine, for |w|', 'holder': '', 'is_scalar': True, 'lines': [['k_near',
-'_k(np.where(w.real < 0.0, -w, w))']], 'member': '', 'name': 'k_near', 'names': ['k_near'], 'size':
-1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'v.v', 'holder': '', 'is_scalar': True, 'lines':
-[['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']], 'member': '', 'name': 'sine_square', 'names':
-['sine_square'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'sine_square.real <
-(1.0e-60*1.0e-60).real', 'lines': [['sine_bounded', '1.0e-60*1.0e-60']]}, {'condition': '', 'lines':
-[['sine_bounded', 'sine_square']]}], 'doc': 'the same, away from -i and i', 'holder': '',
-'is_scalar': True, 'lines': [], 'member': '', 'name': 'sine_bounded', 'names': ['sine_bounded'],
-'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': '|v|', 'holder': '', 'is_scalar': True,
-'lines': [['sine', 'np.sqrt(sine_bounded)']], 'member': '', 'name': 'sine', 'names': ['sine'],
-'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'w.real >= 0.0', 'lines': [['k',
-'k_near']]}, {'condition': '', 'lines': [['k', '3.141592653589793/sine - k_near']]}], 'doc': 'half
-angle over its sine, on to 2 pi', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '',
-'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': '-dk/dw, as
-(1 - w k)/s^2', 'holder': '', 'is_scalar': True, 'lines': [['h', '(1.0 - k*w)/sine_bounded']],
-'member': '', 'name': 'h', 'names': ['h'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-[{'condition': 'w.real < 0.0', 'lines': [['distance', 'sine']]}, {'condition': '', 'lines':
-[['distance', '1.0']]}], 'doc': 'distance from -i', 'holder': '', 'is_scalar': True, 'lines': [],
-'member': '', 'name': 'distance', 'names': ['distance'], 'size': 1, 'source': '', 'unit': '1'},
-{'cases': [], 'doc': 'kinematic law, the rotation vector', 'holder': '', 'is_scalar': False,
-'lines': [['nu_u_0', '2.0*k*v_0'], ['nu_u_1', '2.0*k*v_1'], ['nu_u_2', '2.0*k*v_2']], 'member': '',
-'name': 'nu_u', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'size': 3, 'source': 'def. (KctrLaw)',
-'unit': 'rad'}, {'cases': [], 'doc': 'v x nu_e', 'holder': '', 'is_scalar': False, 'lines':
-[['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2',
-'nu_e_1*v_0 - nu_e_0*v_1']], 'member': '', 'name': 'turn', 'names': ['turn_0', 'turn_1', 'turn_2'],
-'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'v x (v x nu_e)', 'holder': '',
-'is_scalar': False, 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 -
-turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'member': '', 'name': 'bend', 'names':
-['bend_0', 'bend_1', 'bend_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc':
-'exact rate of nu_u', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_dot_0', 'nu_e_0 + bend_0*h
-+ k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h +
-k*turn_2']], 'member': '', 'name': 'nu_u_dot', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'],
-'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'lambda nu_u', 'holder': '',
-'is_scalar': False, 'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'],
-['drive_2', 'nu_u_2*rate_gain']], 'member': '', 'name': 'drive', 'names': ['drive_0', 'drive_1',
-'drive_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'sliding variable',
-'holder': '', 'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 +
-nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names': ['s_0', 's_1', 's_2'],
-'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'acceleration asked
-for', 'holder': '', 'is_scalar': False, 'lines': [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain -
-reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2',
-'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'member': '', 'name': 'wanted', 'names':
-['wanted_0', 'wanted_1', 'wanted_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [],
-'doc': 'lambda nu_u - eta', 'holder': '', 'is_scalar': False, 'lines': [['turning_0', 'drive_0 -
-eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'member': '', 'name':
-'turning', 'names': ['turning_0', 'turning_1', 'turning_2'], 'size': 3, 'source': '', 'unit':
-'rad/s'}, {'cases': [], 'doc': 'I nu', 'holder': '', 'is_scalar': False, 'lines': [['momentum_0',
-'inertia_0*nu_0 + inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'], ['momentum_2', 'inertia_2*nu_0
-+ inertia_5*nu_2']], 'member': '', 'name': 'momentum', 'names': ['momentum_0', 'momentum_1',
-'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s'}, {'cases': [], 'doc': 'control force, I
-f_u', 'holder': '', 'is_scalar': False, 'lines': [['force_0', 'inertia_0*wanted_0 +
-inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1
-+ momentum_2*turning_0 - momentum_0*turning_2'], ['force_2', 'inertia_2*wanted_0 +
-inertia_5*wanted_2 + momentum_0*turning_1 - momentum_1*turning_0']], 'member': '', 'name': 'force',
-'names': ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq. (TckCtrl)', 'unit': 'N m'}],
-'symbol': 'tracking', 'temporaries': 63, 'writes': ['command', 'clearance']}, double precision,
-batched.
+"""quadrotor: gsmc on S3, law log (the rotation vector), double precision, batched.
 
 Generated by derive from the vehicle file quadrotor.toml; regenerate instead of editing.
 Configuration: unit quaternion, Hamilton, scalar first.
@@ -169,6 +45,7 @@ class Params(NamedTuple):
     inertia: Array
     lambda_: Array
     k_s: Array
+    force_limit: Array = (0.8, 0.8, 0.1)  # largest force of each coordinate [N m]
     max_drift: Array = 1.0e-6  # largest distance of the error from the group [1]
 
 
@@ -207,6 +84,7 @@ def control(
         _real("nu_r", nu_r, (3,)),
         _real("nu_r_dot", nu_r_dot, (3,)),
     ]
+    force_limit = _real("force_limit", params.force_limit, (3,))
     max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
         *command, clearance = _batched(_law, given)
@@ -218,7 +96,7 @@ def control(
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
         good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
-        status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
+        command[0], status = _saturated(command[0], force_limit)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         near = np.where(clearance[..., 0] < REFUSED_CUT, OUT_OF_RANGE, near)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
@@ -248,6 +126,8 @@ def check_params(params: Params = DEFAULTS) -> Array:
         good = good & (inertia[..., [1, 4]] == 0.0).all(-1)
         good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
         good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
+        limit = _real("force_limit", params.force_limit, (3,))
+        good = good & ((limit >= MIN_GAIN) & (limit <= MAX_PARAM)).all(-1)
         drift = _real("max_drift", params.max_drift, ())
         good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
@@ -364,6 +244,18 @@ def _judge(rows: Array) -> Array:
     return np.where(np.isfinite(rows).all(-1), status, NONFINITE_INPUT)
 
 
+def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
+    """The force within its limits, (..., 3), and OK, SATURATED or NONFINITE_INPUT, (...)."""
+    size = np.abs(force)
+    share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
+    cut = force * share
+    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
+    usable = ((np.abs(cut) <= limit)).all(-1)
+    within = (size <= limit).all(-1)
+    status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
+    return np.where(within[..., None], force, cut), status
+
+
 def _k(w: Array) -> Array:
     """Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w."""
     z = 1.0 - w
@@ -411,16 +303,20 @@ def _law(
     g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2
     g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3
     g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1
+    # double: twice the vector part [1]
+    double_0 = 2.0*g_e_1
+    double_1 = 2.0*g_e_2
+    double_2 = 2.0*g_e_3
     # to_body: Ad of g_e^-1: reference to body frame [1]
-    to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3
-    to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)
-    to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)
-    to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)
-    to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3
-    to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)
-    to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)
-    to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)
-    to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2
+    to_body_0 = 1.0 - double_1*g_e_2 - double_2*g_e_3
+    to_body_1 = double_0*g_e_2 + double_2*g_e_0
+    to_body_2 = double_0*g_e_3 - double_1*g_e_0
+    to_body_3 = double_0*g_e_2 - double_2*g_e_0
+    to_body_4 = 1.0 - double_0*g_e_1 - double_2*g_e_3
+    to_body_5 = double_0*g_e_0 + double_1*g_e_3
+    to_body_6 = double_0*g_e_3 + double_1*g_e_0
+    to_body_7 = double_1*g_e_3 - double_0*g_e_0
+    to_body_8 = 1.0 - double_0*g_e_1 - double_1*g_e_2
     # eta: reference velocity in the body frame [rad/s], eq. (velErr)
     eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2
     eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5
@@ -442,54 +338,55 @@ def _law(
         eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 -
         eta_1*nu_e_0
     )
-    # norm_square: squared length [1]
-    norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # square: square of its vector part [1]
+    square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3
+    # norm_square: its squared length [1]
+    norm_square = square + g_e_0*g_e_0
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 1.0e-7.real
-    norm_bounded = np.where(norm_bounded_if_0, 1.0e-7, norm_square)
-    # norm: length [1]
+    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
     w = g_e_0*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = g_e_1*scale
-    v_1 = g_e_2*scale
-    v_2 = g_e_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
-    # sine_square: v.v [1]
-    sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
-    # sine_bounded: the same, away from -i and i [1]
-    sine_bounded_if_0 = sine_square.real < (1.0e-60*1.0e-60).real
-    sine_bounded = np.where(sine_bounded_if_0, 1.0e-60*1.0e-60, sine_square)
-    # sine: |v| [1]
-    sine = np.sqrt(sine_bounded)
+    # divisor: the same, never zero [1]
+    divisor_if_0 = w.real >= 0.0
+    divisor_if_1 = square.real > (1.0e-60*1.0e-60).real
+    divisor = (
+        np.where(divisor_if_0, square + 1.0e-17, np.where(divisor_if_1, square, 1.0e-60*1.0e-60))
+    )
+    # distance: distance from -i: |v| beyond pi, and 1 before [1]
+    distance_if_0 = w.real >= 0.0
+    distance = np.where(distance_if_0, 1.0, scale*np.sqrt(divisor))
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k = np.where(k_if_0, k_near, 3.141592653589793/sine - k_near)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/sine_bounded
-    # distance: distance from -i [1]
-    distance_if_0 = w.real < 0.0
-    distance = np.where(distance_if_0, sine, 1.0)
+    k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/divisor
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_e_2*v_1 - nu_e_1*v_2
-    turn_1 = nu_e_0*v_2 - nu_e_2*v_0
-    turn_2 = nu_e_1*v_0 - nu_e_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = g_e_1*stretch
+    nu_u_1 = g_e_2*stretch
+    nu_u_2 = g_e_3*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1
+    turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2
+    turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0
+    # bend: vector part x that [rad/s]
+    bend_0 = g_e_2*turn_2 - g_e_3*turn_1
+    bend_1 = g_e_3*turn_0 - g_e_1*turn_2
+    bend_2 = g_e_1*turn_1 - g_e_2*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain
@@ -502,10 +399,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [rad/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [rad/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [N m s]
     momentum_0 = inertia_0*nu_0 + inertia_2*nu_2
     momentum_1 = inertia_3*nu_1
@@ -534,51 +431,55 @@ def _reaching(
     reach_gain = k_s[0]
     g_0, g_1, g_2, g_3 = g[0], g[1], g[2], g[3]
     nu_0, nu_1, nu_2 = nu[0], nu[1], nu[2]
-    # norm_square: squared length [1]
-    norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3
+    # square: square of its vector part [1]
+    square = g_1*g_1 + g_2*g_2 + g_3*g_3
+    # norm_square: its squared length [1]
+    norm_square = square + g_0*g_0
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 1.0e-7.real
-    norm_bounded = np.where(norm_bounded_if_0, 1.0e-7, norm_square)
-    # norm: length [1]
+    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
+    # norm: its length [1]
     norm = np.sqrt(norm_bounded)
     # scale: to unit length [1]
     scale = 1.0/norm
     # w: cos of half the error angle [1]
     w = g_0*scale
-    # v: sin of half the error angle times its axis [1]
-    v_0 = g_1*scale
-    v_1 = g_2*scale
-    v_2 = g_3*scale
     # k_near: half angle over its sine, for |w| [1]
     k_near = _k(np.where(w.real < 0.0, -w, w))
-    # sine_square: v.v [1]
-    sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2
-    # sine_bounded: the same, away from -i and i [1]
-    sine_bounded_if_0 = sine_square.real < (1.0e-60*1.0e-60).real
-    sine_bounded = np.where(sine_bounded_if_0, 1.0e-60*1.0e-60, sine_square)
-    # sine: |v| [1]
-    sine = np.sqrt(sine_bounded)
+    # divisor: the same, never zero [1]
+    divisor_if_0 = w.real >= 0.0
+    divisor_if_1 = square.real > (1.0e-60*1.0e-60).real
+    divisor = (
+        np.where(divisor_if_0, square + 1.0e-17, np.where(divisor_if_1, square, 1.0e-60*1.0e-60))
+    )
+    # distance: distance from -i: |v| beyond pi, and 1 before [1]
+    distance_if_0 = w.real >= 0.0
+    distance = np.where(distance_if_0, 1.0, scale*np.sqrt(divisor))
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
-    k = np.where(k_if_0, k_near, 3.141592653589793/sine - k_near)
-    # h: -dk/dw, as (1 - w k)/s^2 [1]
-    h = (1.0 - k*w)/sine_bounded
+    k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
+    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    h_raw = (1.0 - k*w)/divisor
+    # reach: p by the scale, but for a number [1]
+    reach = k*scale
+    # stretch: ratio of nu_u to the vector part [1]
+    stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
-    nu_u_0 = 2.0*k*v_0
-    nu_u_1 = 2.0*k*v_1
-    nu_u_2 = 2.0*k*v_2
-    # turn: v x nu_e [rad/s]
-    turn_0 = nu_2*v_1 - nu_1*v_2
-    turn_1 = nu_0*v_2 - nu_2*v_0
-    turn_2 = nu_1*v_0 - nu_0*v_1
-    # bend: v x (v x nu_e) [rad/s]
-    bend_0 = turn_2*v_1 - turn_1*v_2
-    bend_1 = turn_0*v_2 - turn_2*v_0
-    bend_2 = turn_1*v_0 - turn_0*v_1
+    nu_u_0 = g_1*stretch
+    nu_u_1 = g_2*stretch
+    nu_u_2 = g_3*stretch
+    # turn: vector part x nu_e, its share [rad/s]
+    turn_0 = g_2*nu_2 - g_3*nu_1
+    turn_1 = g_3*nu_0 - g_1*nu_2
+    turn_2 = g_1*nu_1 - g_2*nu_0
+    # bend: vector part x that [rad/s]
+    bend_0 = g_2*turn_2 - g_3*turn_1
+    bend_1 = g_3*turn_0 - g_1*turn_2
+    bend_2 = g_1*turn_1 - g_2*turn_0
     # nu_u_dot: exact rate of nu_u [rad/s]
-    nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0
-    nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1
-    nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2
+    nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0
+    nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1
+    nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2
     # drive: lambda nu_u [rad/s]
     drive_0 = nu_u_0*rate_gain
     drive_1 = nu_u_1*rate_gain

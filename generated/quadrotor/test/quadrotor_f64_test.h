@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-#define QUADROTOR_F64_CASES 51
+#define QUADROTOR_F64_CASES 50
 
 /* The truth is of 130 digits, rounded once. Bits are FNV-1a, 32 bit, over the bytes of all
    numbers of a command in order, the lowest byte of each number first. */

@@ -1,87 +1,4 @@
-"""sl2: gsmc on SL2, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force that drives
-(g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state', 'reference'],
-'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by row', 'entries':
-[['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4],
-['inertia_5', 5]], 'holder': 'params', 'is_scalar': False, 'member': 'inertia', 'name': 'inertia',
-'shape': [6], 'size': 6, 'source': '', 'unit': 'J s^2'}, {'argument': 'lambda_', 'doc': 'sliding
-rate', 'entries': [['rate_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'lambda',
-'name': 'rate_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'k_s',
-'doc': 'reaching rate', 'entries': [['reach_gain', 0]], 'holder': 'params', 'is_scalar': True,
-'member': 'k_s', 'name': 'reach_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'},
-{'argument': 'nu', 'doc': 'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]],
-'holder': 'state', 'is_scalar': False, 'member': 'nu', 'name': 'nu', 'shape': [3], 'size': 3,
-'source': '', 'unit': '1/s'}, {'argument': 'nu_r', 'doc': 'reference velocity, reference body
-frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder': 'reference',
-'is_scalar': False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3, 'source': '', 'unit':
-'1/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1',
-1], ['nu_r_dot_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member': 'nu_dot', 'name':
-'nu_r_dot', 'shape': [3], 'size': 3, 'source': '', 'unit': '1/s^2'}, {'argument': 'g_e', 'doc':
-'error, g_r^-1 g', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'holder':
-'', 'is_scalar': False, 'member': 'g_e', 'name': 'g_e', 'shape': [4], 'size': 4, 'source': 'eq.
-(velErr)', 'unit': '1'}], 'is_public': False, 'name': 'tracking', 'operations': 148, 'outputs':
-[{'doc': 'control force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder': 'command',
-'is_scalar': False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '', 'unit': 'J'},
-{'doc': 'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder': 'command', 'is_scalar':
-False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit': '1/s'}, {'doc': 'kinematic law',
-'entries': ['g_e_1', 'g_e_2', 'nu_u_2'], 'holder': 'command', 'is_scalar': False, 'member': 'nu_u',
-'name': 'nu_u', 'size': 3, 'source': '', 'unit': '1'}, {'doc': 'its exact rate', 'entries':
-['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'holder': 'command', 'is_scalar': False, 'member':
-'nu_u_dot', 'name': 'nu_u_dot', 'size': 3, 'source': '', 'unit': '1/s'}, {'doc': 'distance from the
-cut locus of the law', 'entries': ['1.0'], 'holder': '', 'is_scalar': True, 'member': 'clearance',
-'name': 'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes': ['command',
-'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc': 'Ad of g_e^-1: reference to
-body frame', 'holder': '', 'is_scalar': False, 'lines': [['to_body_0', 'g_e_3*g_e_3'], ['to_body_1',
-'-g_e_1*g_e_1'], ['to_body_2', '2.0*g_e_1*g_e_3'], ['to_body_3', '-g_e_2*g_e_2'], ['to_body_4',
-'g_e_0*g_e_0'], ['to_body_5', '-2.0*g_e_0*g_e_2'], ['to_body_6', 'g_e_2*g_e_3'], ['to_body_7',
-'-g_e_0*g_e_1'], ['to_body_8', 'g_e_0*g_e_3 + g_e_1*g_e_2']], 'member': '', 'name': 'to_body',
-'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5', 'to_body_6',
-'to_body_7', 'to_body_8'], 'size': 9, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'reference
-velocity in the body frame', 'holder': '', 'is_scalar': False, 'lines': [['eta_0', 'nu_r_0*to_body_0
-+ nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 +
-nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'member':
-'', 'name': 'eta', 'names': ['eta_0', 'eta_1', 'eta_2'], 'size': 3, 'source': 'eq. (velErr)',
-'unit': '1/s'}, {'cases': [], 'doc': 'velocity error', 'holder': '', 'is_scalar': False, 'lines':
-[['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'member': '',
-'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)',
-'unit': '1/s'}, {'cases': [], 'doc': 'exact rate of eta', 'holder': '', 'is_scalar': False, 'lines':
-[['eta_dot_0', 'nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
-2.0*eta_0*nu_e_2 + 2.0*eta_2*nu_e_0'], ['eta_dot_1', 'nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
-nu_r_dot_2*to_body_5 - 2.0*eta_2*nu_e_1 + 2.0*eta_1*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 +
-nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'member': '',
-'name': 'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'size': 3, 'source': '',
-'unit': '1/s^2'}, {'cases': [], 'doc': 'kinematic law, vee(g - g^-1)/2', 'holder': '', 'is_scalar':
-False, 'lines': [['nu_u_2', '0.5*(g_e_0 - g_e_3)']], 'member': '', 'name': 'nu_u', 'names':
-['nu_u_2'], 'size': 3, 'source': 'def. (KctrLaw)', 'unit': '1'}, {'cases': [], 'doc': 'exact rate of
-nu_u', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_dot_0', 'g_e_0*nu_e_0 - g_e_1*nu_e_2'],
-['nu_u_dot_1', 'g_e_2*nu_e_2 + g_e_3*nu_e_1'], ['nu_u_dot_2', '0.5*(g_e_0*nu_e_2 + g_e_1*nu_e_1 +
-g_e_3*nu_e_2 - g_e_2*nu_e_0)']], 'member': '', 'name': 'nu_u_dot', 'names': ['nu_u_dot_0',
-'nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '', 'unit': '1/s'}, {'cases': [], 'doc': 'lambda
-nu_u', 'holder': '', 'is_scalar': False, 'lines': [['drive_0', 'g_e_1*rate_gain'], ['drive_1',
-'g_e_2*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']], 'member': '', 'name': 'drive', 'names':
-['drive_0', 'drive_1', 'drive_2'], 'size': 3, 'source': '', 'unit': '1/s'}, {'cases': [], 'doc':
-'sliding variable', 'holder': '', 'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1',
-'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names': ['s_0',
-'s_1', 's_2'], 'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': '1/s'}, {'cases': [], 'doc':
-'acceleration asked for', 'holder': '', 'is_scalar': False, 'lines': [['wanted_0', 'eta_dot_0 -
-nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 - nu_u_dot_1*rate_gain -
-reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2']], 'member': '',
-'name': 'wanted', 'names': ['wanted_0', 'wanted_1', 'wanted_2'], 'size': 3, 'source': '', 'unit':
-'1/s^2'}, {'cases': [], 'doc': 'lambda nu_u - eta', 'holder': '', 'is_scalar': False, 'lines':
-[['turning_0', 'drive_0 - eta_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 -
-eta_2']], 'member': '', 'name': 'turning', 'names': ['turning_0', 'turning_1', 'turning_2'], 'size':
-3, 'source': '', 'unit': '1/s'}, {'cases': [], 'doc': 'I nu', 'holder': '', 'is_scalar': False,
-'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1',
-'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1
-+ inertia_5*nu_2']], 'member': '', 'name': 'momentum', 'names': ['momentum_0', 'momentum_1',
-'momentum_2'], 'size': 3, 'source': '', 'unit': 'J s'}, {'cases': [], 'doc': 'control force, I f_u',
-'holder': '', 'is_scalar': False, 'lines': [['force_0', 'inertia_0*wanted_0 + inertia_1*wanted_1 +
-inertia_2*wanted_2 - momentum_2*turning_1 + 2.0*momentum_0*turning_2'], ['force_1',
-'inertia_1*wanted_0 + inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_2*turning_0 -
-2.0*momentum_1*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_4*wanted_1 +
-inertia_5*wanted_2 - 2.0*momentum_0*turning_0 + 2.0*momentum_1*turning_1']], 'member': '', 'name':
-'force', 'names': ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq. (TckCtrl)', 'unit':
-'J'}], 'symbol': 'tracking', 'temporaries': 40, 'writes': ['command', 'clearance']}, double
-precision, batched.
+"""sl2: gsmc on SL2, law skew (vee(g - g^-1)/2), double precision, batched.
 
 Generated by derive from the vehicle file sl2.toml; regenerate instead of editing.
 Configuration: matrix of 2 rows, row by row.
@@ -391,10 +308,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta [1/s]
-    turning_0 = drive_0 - eta_0
-    turning_1 = drive_1 - eta_1
-    turning_2 = drive_2 - eta_2
+    # turning: lambda nu_u - eta, as s - nu [1/s]
+    turning_0 = s_0 - nu_0
+    turning_1 = s_1 - nu_1
+    turning_2 = s_2 - nu_2
     # momentum: I nu [J s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2
     momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2

@@ -1,146 +1,5 @@
 /*
- * hovercraft_f64: gsmc on SE2, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force
-         that drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state',
-         'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by
-         row', 'entries': [['inertia_0', 0], ['inertia_2', 2], ['inertia_3', 3], ['inertia_5', 5]],
-         'holder': 'params', 'is_scalar': False, 'member': 'inertia', 'name': 'inertia', 'shape':
-         [6], 'size': 6, 'source': '', 'unit': 'kg m^2, kg m, kg'}, {'argument': 'lambda_', 'doc':
-         'sliding rate', 'entries': [['rate_gain', 0]], 'holder': 'params', 'is_scalar': True,
-         'member': 'lambda', 'name': 'rate_gain', 'shape': [1], 'size': 1, 'source': '', 'unit':
-         '1/s'}, {'argument': 'k_s', 'doc': 'reaching rate', 'entries': [['reach_gain', 0]],
-         'holder': 'params', 'is_scalar': True, 'member': 'k_s', 'name': 'reach_gain', 'shape': [1],
-         'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'nu', 'doc': 'body velocity',
-         'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state', 'is_scalar': False,
-         'member': 'nu', 'name': 'nu', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s, m/s'},
-         {'argument': 'nu_r', 'doc': 'reference velocity, reference body frame', 'entries':
-         [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder': 'reference', 'is_scalar': False,
-         'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s,
-         m/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0],
-         ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member':
-         'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s^2,
-         m/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries': [['g_e_0', 0], ['g_e_1',
-         1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5]], 'holder': '', 'is_scalar':
-         False, 'member': 'g_e', 'name': 'g_e', 'shape': [9], 'size': 9, 'source': 'eq. (velErr)',
-         'unit': '1'}], 'is_public': False, 'name': 'tracking', 'operations': 118, 'outputs':
-         [{'doc': 'control force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder':
-         'command', 'is_scalar': False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '',
-         'unit': 'N m, N'}, {'doc': 'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder':
-         'command', 'is_scalar': False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit':
-         'rad/s, m/s'}, {'doc': 'kinematic law', 'entries': ['phi_0', 'rho_p_0', 'rho_p_1'],
-         'holder': 'command', 'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3,
-         'source': '', 'unit': 'rad, m'}, {'doc': 'its exact rate', 'entries': ['nu_e_0',
-         'nu_u_dot_1', 'nu_u_dot_2'], 'holder': 'command', 'is_scalar': False, 'member': 'nu_u_dot',
-         'name': 'nu_u_dot', 'size': 3, 'source': '', 'unit': 'rad/s, m/s'}, {'doc': 'distance from
-         the cut locus of the law', 'entries': ['w'], 'holder': '', 'is_scalar': True, 'member':
-         'clearance', 'name': 'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes':
-         ['command', 'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc':
-         'velocity at p', 'holder': '', 'is_scalar': False, 'lines': [['eta_arm_0_0', 'nu_r_1 -
-         g_e_5*nu_r_0'], ['eta_arm_0_1', 'nu_r_2 + g_e_2*nu_r_0']], 'member': '', 'name':
-         'eta_arm_0', 'names': ['eta_arm_0_0', 'eta_arm_0_1'], 'size': 2, 'source': '', 'unit':
-         'm/s'}, {'cases': [], 'doc': 'reference velocity in the body frame', 'holder': '',
-         'is_scalar': False, 'lines': [['eta_1', 'eta_arm_0_0*g_e_0 + eta_arm_0_1*g_e_3'], ['eta_2',
-         'eta_arm_0_0*g_e_1 + eta_arm_0_1*g_e_4']], 'member': '', 'name': 'eta', 'names': ['eta_1',
-         'eta_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc':
-         'velocity error', 'holder': '', 'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - nu_r_0'],
-         ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e',
-         'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit':
-         'rad/s, m/s'}, {'cases': [], 'doc': 'velocity at p', 'holder': '', 'is_scalar': False,
-         'lines': [['eta_dot_arm_0_0', 'nu_r_dot_1 - g_e_5*nu_r_dot_0'], ['eta_dot_arm_0_1',
-         'nu_r_dot_2 + g_e_2*nu_r_dot_0']], 'member': '', 'name': 'eta_dot_arm_0', 'names':
-         ['eta_dot_arm_0_0', 'eta_dot_arm_0_1'], 'size': 2, 'source': '', 'unit': 'm/s'}, {'cases':
-         [], 'doc': 'exact rate of eta', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_1',
-         'eta_2*nu_e_0 + eta_dot_arm_0_0*g_e_0 + eta_dot_arm_0_1*g_e_3 - nu_e_2*nu_r_0'],
-         ['eta_dot_2', 'eta_dot_arm_0_0*g_e_1 + eta_dot_arm_0_1*g_e_4 + nu_e_1*nu_r_0 -
-         eta_1*nu_e_0']], 'member': '', 'name': 'eta_dot', 'names': ['eta_dot_1', 'eta_dot_2'],
-         'size': 3, 'source': '', 'unit': 'rad/s^2, m/s^2'}, {'cases': [], 'doc': '2 cos and 2 sin
-         of the angle', 'holder': '', 'is_scalar': False, 'lines': [['twice_0', 'g_e_0 + g_e_4'],
-         ['twice_1', 'g_e_3 - g_e_1']], 'member': '', 'name': 'twice', 'names': ['twice_0',
-         'twice_1'], 'size': 2, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'their squared
-         length', 'holder': '', 'is_scalar': True, 'lines': [['norm_square', 'twice_0*twice_0 +
-         twice_1*twice_1']], 'member': '', 'name': 'norm_square', 'names': ['norm_square'], 'size':
-         1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'norm_square < 3.0', 'lines':
-         [['norm_bounded', '3.0']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}],
-         'doc': 'the same: less is no turn', 'holder': '', 'is_scalar': True, 'lines': [], 'member':
-         '', 'name': 'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'their length', 'holder': '', 'is_scalar': True, 'lines':
-         [['norm', 'sqrt(norm_bounded)']], 'member': '', 'name': 'norm', 'names': ['norm'], 'size':
-         1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'twice_0 >= 0.0', 'lines':
-         [['column_0', 'norm + twice_0'], ['column_1', 'twice_1']]}, {'condition': 'twice_1 >= 0.0',
-         'lines': [['column_0', 'twice_1'], ['column_1', 'norm - twice_0']]}, {'condition': '',
-         'lines': [['column_0', '-twice_1'], ['column_1', 'twice_0 - norm']]}], 'doc': 'cos >= 0 and
-         sin of half the angle, unscaled', 'holder': '', 'is_scalar': False, 'lines': [], 'member':
-         '', 'name': 'column', 'names': ['column_0', 'column_1'], 'size': 2, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'squared length', 'holder': '', 'is_scalar': True, 'lines':
-         [['column_square', 'column_0*column_0 + column_1*column_1']], 'member': '', 'name':
-         'column_square', 'names': ['column_square'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [{'condition': 'column_square < 3.0', 'lines': [['column_bounded', '3.0']]},
-         {'condition': '', 'lines': [['column_bounded', 'column_square']]}], 'doc': 'the same',
-         'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'column_bounded',
-         'names': ['column_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
-         'to unit length', 'holder': '', 'is_scalar': True, 'lines': [['scale',
-         '1.0/sqrt(column_bounded)']], 'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': 'cos of half the error angle, rounded',
-         'holder': '', 'is_scalar': True, 'lines': [['cosine', 'column_0*scale']], 'member': '',
-         'name': 'cosine', 'names': ['cosine'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [{'condition': 'cosine > 1.0', 'lines': [['w', '1.0']]}, {'condition': '', 'lines': [['w',
-         'cosine']]}], 'doc': 'cos of half the error angle', 'holder': '', 'is_scalar': True,
-         'lines': [], 'member': '', 'name': 'w', 'names': ['w'], 'size': 1, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'sin of half the error angle', 'holder': '', 'is_scalar': True,
-         'lines': [['sine', 'column_1*scale']], 'member': '', 'name': 'sine', 'names': ['sine'],
-         'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'half angle over its sine',
-         'holder': '', 'is_scalar': True, 'lines': [['k', 'hovercraft_f64_k(w)']], 'member': '',
-         'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
-         '-dk/dw', 'holder': '', 'is_scalar': True, 'lines': [['h', 'hovercraft_f64_h(w)']],
-         'member': '', 'name': 'h', 'names': ['h'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': 'rotation vector of the error', 'holder': '', 'is_scalar': False, 'lines':
-         [['phi_0', '2.0*k*sine']], 'member': '', 'name': 'phi', 'names': ['phi_0'], 'size': 1,
-         'source': '', 'unit': 'rad'}, {'cases': [], 'doc': '1/(2 k)', 'holder': '', 'is_scalar':
-         True, 'lines': [['half', '0.5/k']], 'member': '', 'name': 'half', 'names': ['half'],
-         'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'p turned back by half the
-         angle', 'holder': '', 'is_scalar': False, 'lines': [['turned_p_0', 'g_e_2*w + g_e_5*sine'],
-         ['turned_p_1', 'g_e_5*w - g_e_2*sine']], 'member': '', 'name': 'turned_p', 'names':
-         ['turned_p_0', 'turned_p_1'], 'size': 2, 'source': '', 'unit': 'm'}, {'cases': [], 'doc':
-         'p - k Y p + h Y Y p', 'holder': '', 'is_scalar': False, 'lines': [['rho_p_0',
-         'k*turned_p_0'], ['rho_p_1', 'k*turned_p_1']], 'member': '', 'name': 'rho_p', 'names':
-         ['rho_p_0', 'rho_p_1'], 'size': 2, 'source': '', 'unit': 'm'}, {'cases': [], 'doc': 'rho/(2
-         k)', 'holder': '', 'is_scalar': False, 'lines': [['y_p_0', 'half*rho_p_0'], ['y_p_1',
-         'half*rho_p_1']], 'member': '', 'name': 'y_p', 'names': ['y_p_0', 'y_p_1'], 'size': 2,
-         'source': '', 'unit': 'm'}, {'cases': [], 'doc': 'Y nu_e, Y = ad of y', 'holder': '',
-         'is_scalar': False, 'lines': [['turn_1', 'nu_e_0*y_p_1 - nu_e_2*sine'], ['turn_2',
-         'nu_e_1*sine - nu_e_0*y_p_0']], 'member': '', 'name': 'turn', 'names': ['turn_1',
-         'turn_2'], 'size': 3, 'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'Y Y nu_e',
-         'holder': '', 'is_scalar': False, 'lines': [['bend_1', '-sine*turn_2'], ['bend_2',
-         'sine*turn_1']], 'member': '', 'name': 'bend', 'names': ['bend_1', 'bend_2'], 'size': 3,
-         'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'exact rate of nu_u', 'holder':
-         '', 'is_scalar': False, 'lines': [['nu_u_dot_1', 'nu_e_1 + bend_1*h + k*turn_1'],
-         ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'member': '', 'name': 'nu_u_dot', 'names':
-         ['nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '', 'unit': 'rad/s, m/s'}, {'cases': [],
-         'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False, 'lines': [['drive_0',
-         'phi_0*rate_gain'], ['drive_1', 'rate_gain*rho_p_0'], ['drive_2', 'rate_gain*rho_p_1']],
-         'member': '', 'name': 'drive', 'names': ['drive_0', 'drive_1', 'drive_2'], 'size': 3,
-         'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'sliding variable', 'holder': '',
-         'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
-         ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names': ['s_0', 's_1', 's_2'],
-         'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc':
-         'acceleration asked for', 'holder': '', 'is_scalar': False, 'lines': [['wanted_0',
-         'nu_r_dot_0 - nu_e_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
-         nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2']], 'member': '', 'name': 'wanted', 'names': ['wanted_0', 'wanted_1',
-         'wanted_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2, m/s^2'}, {'cases': [], 'doc':
-         'lambda nu_u - eta', 'holder': '', 'is_scalar': False, 'lines': [['turning_0', 'drive_0 -
-         nu_r_0'], ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'member':
-         '', 'name': 'turning', 'names': ['turning_0', 'turning_1', 'turning_2'], 'size': 3,
-         'source': '', 'unit': 'rad/s, m/s'}, {'cases': [], 'doc': 'I nu', 'holder': '',
-         'is_scalar': False, 'lines': [['momentum_1', 'inertia_3*nu_1'], ['momentum_2',
-         'inertia_2*nu_0 + inertia_5*nu_2']], 'member': '', 'name': 'momentum', 'names':
-         ['momentum_1', 'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s, N s'}, {'cases': [],
-         'doc': 'control force, I f_u', 'holder': '', 'is_scalar': False, 'lines': [['force_0',
-         'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 - momentum_2*turning_1'],
-         ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0'], ['force_2', 'inertia_2*wanted_0 +
-         inertia_5*wanted_2 - momentum_1*turning_0']], 'member': '', 'name': 'force', 'names':
-         ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq. (TckCtrl)', 'unit': 'N m,
-         N'}], 'symbol': 'tracking', 'temporaries': 57, 'writes': ['command', 'clearance']}, double
-         precision.
+ * hovercraft_f64: gsmc on SE2, law log (the logarithm), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "hovercraft_f64.h"
@@ -150,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -223,7 +86,22 @@ static inline double hovercraft_f64_h(const double w)
     return sum;
 }
 
-static const hovercraft_f64_command hovercraft_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void hovercraft_f64_nothing(hovercraft_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -375,10 +253,10 @@ static double hovercraft_f64_law(const hovercraft_f64_params *params,
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - nu_r_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_1 = inertia_3*nu_1;
@@ -687,7 +565,7 @@ static hovercraft_f64_status hovercraft_f64_refuse(const hovercraft_f64_state *s
             hovercraft_f64_inspect(reference->nu, 3, HOVERCRAFT_F64_MAX_INPUT));
     worst = hovercraft_f64_worse(worst,
             hovercraft_f64_inspect(reference->nu_dot, 3, HOVERCRAFT_F64_MAX_INPUT));
-    *command = hovercraft_f64_nothing;
+    hovercraft_f64_nothing(command);
     return worst;
 }
 
@@ -697,7 +575,7 @@ static hovercraft_f64_status hovercraft_f64_verdict(const double clearance,
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = hovercraft_f64_nothing;
+        hovercraft_f64_nothing(command);
         return HOVERCRAFT_F64_NONFINITE_INPUT;
     }
     return clearance < HOVERCRAFT_F64_NEAR_CUT ? HOVERCRAFT_F64_NEAR_CUT_LOCUS : HOVERCRAFT_F64_OK;
@@ -759,15 +637,14 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
 
     /* off: what vanishes on the group, and only there [1] */
     const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3;
-    const double off_1 = g_e_0*g_e_1 + g_e_3*g_e_4;
-    const double off_2 = g_e_1*g_e_1 - 1.0 + g_e_4*g_e_4;
-    const double off_3 = g_e_0*g_e_4 - 1.0 - g_e_1*g_e_3;
-    const double off_6 = g_8 - 1.0;
-    const double off_9 = g_r_8 - 1.0;
+    const double off_1 = g_e_1 + g_e_3;
+    const double off_2 = g_e_4 - g_e_0;
+    const double off_5 = g_8 - 1.0;
+    const double off_8 = g_r_8 - 1.0;
 
     /* drift: square of the distance from the group [1] */
     const double drift = g_6*g_6 + g_7*g_7 + g_r_6*g_r_6 + g_r_7*g_r_7 + off_0*off_0 + off_1*off_1 +
-        off_2*off_2 + off_3*off_3 + off_6*off_6 + off_9*off_9;
+        off_2*off_2 + off_5*off_5 + off_8*off_8;
 
     /* -- end -- */
 

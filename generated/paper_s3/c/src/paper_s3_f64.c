@@ -1,148 +1,5 @@
 /*
- * paper_s3_f64: gsmc on S3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force that
-         drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state',
-         'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by
-         row', 'entries': [['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2], ['inertia_3', 3],
-         ['inertia_4', 4], ['inertia_5', 5]], 'holder': 'params', 'is_scalar': False, 'member':
-         'inertia', 'name': 'inertia', 'shape': [6], 'size': 6, 'source': '', 'unit': 'kg m^2'},
-         {'argument': 'lambda_', 'doc': 'sliding rate', 'entries': [['rate_gain', 0]], 'holder':
-         'params', 'is_scalar': True, 'member': 'lambda', 'name': 'rate_gain', 'shape': [1], 'size':
-         1, 'source': '', 'unit': '1/s'}, {'argument': 'k_s', 'doc': 'reaching rate', 'entries':
-         [['reach_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'k_s', 'name':
-         'reach_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'nu',
-         'doc': 'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder':
-         'state', 'is_scalar': False, 'member': 'nu', 'name': 'nu', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r', 'doc': 'reference velocity, reference
-         body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder':
-         'reference', 'is_scalar': False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries':
-         [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference',
-         'is_scalar': False, 'member': 'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries':
-         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3]], 'holder': '', 'is_scalar': False,
-         'member': 'g_e', 'name': 'g_e', 'shape': [4], 'size': 4, 'source': 'eq. (velErr)', 'unit':
-         '1'}], 'is_public': False, 'name': 'tracking', 'operations': 206, 'outputs': [{'doc':
-         'control force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder': 'command',
-         'is_scalar': False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '', 'unit': 'N
-         m'}, {'doc': 'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder': 'command',
-         'is_scalar': False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit': 'rad/s'},
-         {'doc': 'kinematic law', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'holder': 'command',
-         'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3, 'source': '', 'unit':
-         'rad'}, {'doc': 'its exact rate', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'],
-         'holder': 'command', 'is_scalar': False, 'member': 'nu_u_dot', 'name': 'nu_u_dot', 'size':
-         3, 'source': '', 'unit': 'rad/s'}, {'doc': 'distance from the cut locus of the law',
-         'entries': ['distance'], 'holder': '', 'is_scalar': True, 'member': 'clearance', 'name':
-         'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes': ['command',
-         'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc': 'Ad of g_e^-1:
-         reference to body frame', 'holder': '', 'is_scalar': False, 'lines': [['to_body_0', '1.0 -
-         2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3'], ['to_body_1', '2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)'],
-         ['to_body_2', '2.0*(g_e_1*g_e_3 - g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2 -
-         g_e_0*g_e_3)'], ['to_body_4', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5',
-         '2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)'], ['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'],
-         ['to_body_7', '2.0*(g_e_2*g_e_3 - g_e_0*g_e_1)'], ['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 -
-         2.0*g_e_2*g_e_2']], 'member': '', 'name': 'to_body', 'names': ['to_body_0', 'to_body_1',
-         'to_body_2', 'to_body_3', 'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'],
-         'size': 9, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'reference velocity in the body
-         frame', 'holder': '', 'is_scalar': False, 'lines': [['eta_0', 'nu_r_0*to_body_0 +
-         nu_r_1*to_body_1 + nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 +
-         nu_r_2*to_body_5'], ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']],
-         'member': '', 'name': 'eta', 'names': ['eta_0', 'eta_1', 'eta_2'], 'size': 3, 'source':
-         'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'velocity error', 'holder': '',
-         'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'],
-         ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1',
-         'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc':
-         'exact rate of eta', 'holder': '', 'is_scalar': False, 'lines': [['eta_dot_0',
-         'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 -
-         eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
-         nu_r_dot_2*to_body_5 - eta_0*nu_e_2'], ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 +
-         nu_r_dot_1*to_body_7 + nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'member': '', 'name':
-         'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'size': 3, 'source': '',
-         'unit': 'rad/s^2'}, {'cases': [], 'doc': 'squared length', 'holder': '', 'is_scalar': True,
-         'lines': [['norm_square', 'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']],
-         'member': '', 'name': 'norm_square', 'names': ['norm_square'], 'size': 1, 'source': '',
-         'unit': '1'}, {'cases': [{'condition': 'norm_square < 1.0e-7', 'lines': [['norm_bounded',
-         '1.0e-7']]}, {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}], 'doc': 'the
-         same: less is no element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '',
-         'name': 'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [], 'doc': 'length', 'holder': '', 'is_scalar': True, 'lines': [['norm',
-         'sqrt(norm_bounded)']], 'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': 'to unit length', 'holder': '',
-         'is_scalar': True, 'lines': [['scale', '1.0/norm']], 'member': '', 'name': 'scale',
-         'names': ['scale'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'cos of
-         half the error angle', 'holder': '', 'is_scalar': True, 'lines': [['w', 'g_e_0*scale']],
-         'member': '', 'name': 'w', 'names': ['w'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': 'sin of half the error angle times its axis', 'holder': '', 'is_scalar': False,
-         'lines': [['v_0', 'g_e_1*scale'], ['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']],
-         'member': '', 'name': 'v', 'names': ['v_0', 'v_1', 'v_2'], 'size': 3, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'half angle over its sine, for |w|', 'holder': '', 'is_scalar':
-         True, 'lines': [['k_near', 'paper_s3_f64_k(fabs(w))']], 'member': '', 'name': 'k_near',
-         'names': ['k_near'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'v.v',
-         'holder': '', 'is_scalar': True, 'lines': [['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']],
-         'member': '', 'name': 'sine_square', 'names': ['sine_square'], 'size': 1, 'source': '',
-         'unit': '1'}, {'cases': [{'condition': 'sine_square < (1.0e-60*1.0e-60)', 'lines':
-         [['sine_bounded', '1.0e-60*1.0e-60']]}, {'condition': '', 'lines': [['sine_bounded',
-         'sine_square']]}], 'doc': 'the same, away from -i and i', 'holder': '', 'is_scalar': True,
-         'lines': [], 'member': '', 'name': 'sine_bounded', 'names': ['sine_bounded'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': '|v|', 'holder': '', 'is_scalar': True,
-         'lines': [['sine', 'sqrt(sine_bounded)']], 'member': '', 'name': 'sine', 'names': ['sine'],
-         'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'w >= 0.0', 'lines': [['k',
-         'k_near']]}, {'condition': '', 'lines': [['k', '3.141592653589793/sine - k_near']]}],
-         'doc': 'half angle over its sine, on to 2 pi', 'holder': '', 'is_scalar': True, 'lines':
-         [], 'member': '', 'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [], 'doc': '-dk/dw, as (1 - w k)/s^2', 'holder': '', 'is_scalar': True, 'lines':
-         [['h', '(1.0 - k*w)/sine_bounded']], 'member': '', 'name': 'h', 'names': ['h'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [{'condition': 'w < 0.0', 'lines': [['distance',
-         'sine']]}, {'condition': '', 'lines': [['distance', '1.0']]}], 'doc': 'distance from -i',
-         'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'distance', 'names':
-         ['distance'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'half of nu_u
-         over v', 'holder': '', 'is_scalar': True, 'lines': [['p', '0.5*k']], 'member': '', 'name':
-         'p', 'names': ['p'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': '-dp/dw',
-         'holder': '', 'is_scalar': True, 'lines': [['drop', '0.5*h']], 'member': '', 'name':
-         'drop', 'names': ['drop'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
-         'kinematic law, half the rotation vector', 'holder': '', 'is_scalar': False, 'lines':
-         [['nu_u_0', '2.0*p*v_0'], ['nu_u_1', '2.0*p*v_1'], ['nu_u_2', '2.0*p*v_2']], 'member': '',
-         'name': 'nu_u', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'size': 3, 'source': 'eq.
-         (KinCtrlLawS3)', 'unit': 'rad'}, {'cases': [], 'doc': 'v x nu_e', 'holder': '',
-         'is_scalar': False, 'lines': [['turn_0', 'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2
-         - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 - nu_e_0*v_1']], 'member': '', 'name': 'turn',
-         'names': ['turn_0', 'turn_1', 'turn_2'], 'size': 3, 'source': '', 'unit': 'rad/s'},
-         {'cases': [], 'doc': 'v x (v x nu_e)', 'holder': '', 'is_scalar': False, 'lines':
-         [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1', 'turn_0*v_2 - turn_2*v_0'], ['bend_2',
-         'turn_1*v_0 - turn_0*v_1']], 'member': '', 'name': 'bend', 'names': ['bend_0', 'bend_1',
-         'bend_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'exact rate of
-         nu_u', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_dot_0', '0.5*nu_e_0 + bend_0*drop
-         + p*turn_0'], ['nu_u_dot_1', '0.5*nu_e_1 + bend_1*drop + p*turn_1'], ['nu_u_dot_2',
-         '0.5*nu_e_2 + bend_2*drop + p*turn_2']], 'member': '', 'name': 'nu_u_dot', 'names':
-         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '', 'unit': 'rad/s'},
-         {'cases': [], 'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False, 'lines': [['drive_0',
-         'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2', 'nu_u_2*rate_gain']],
-         'member': '', 'name': 'drive', 'names': ['drive_0', 'drive_1', 'drive_2'], 'size': 3,
-         'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'sliding variable', 'holder': '',
-         'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1', 'drive_1 + nu_e_1'],
-         ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names': ['s_0', 's_1', 's_2'],
-         'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s'}, {'cases': [], 'doc':
-         'acceleration asked for', 'holder': '', 'is_scalar': False, 'lines': [['wanted_0',
-         'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1 -
-         nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2']], 'member': '', 'name': 'wanted', 'names': ['wanted_0', 'wanted_1',
-         'wanted_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'lambda nu_u
-         - eta', 'holder': '', 'is_scalar': False, 'lines': [['turning_0', 'drive_0 - eta_0'],
-         ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'member': '', 'name':
-         'turning', 'names': ['turning_0', 'turning_1', 'turning_2'], 'size': 3, 'source': '',
-         'unit': 'rad/s'}, {'cases': [], 'doc': 'I nu', 'holder': '', 'is_scalar': False, 'lines':
-         [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1',
-         'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 +
-         inertia_4*nu_1 + inertia_5*nu_2']], 'member': '', 'name': 'momentum', 'names':
-         ['momentum_0', 'momentum_1', 'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s'},
-         {'cases': [], 'doc': 'control force, I f_u', 'holder': '', 'is_scalar': False, 'lines':
-         [['force_0', 'inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 +
-         momentum_1*turning_2 - momentum_2*turning_1'], ['force_1', 'inertia_1*wanted_0 +
-         inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_2*turning_0 - momentum_0*turning_2'],
-         ['force_2', 'inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 +
-         momentum_0*turning_1 - momentum_1*turning_0']], 'member': '', 'name': 'force', 'names':
-         ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq. (TckCtrl)', 'unit': 'N m'}],
-         'symbol': 'tracking', 'temporaries': 65, 'writes': ['command', 'clearance']}, double
-         precision.
+ * paper_s3_f64: gsmc on S3, law half_log (half the rotation vector), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_s3_f64.h"
@@ -152,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -194,7 +55,22 @@ static inline double paper_s3_f64_k(const double w)
     return sum;
 }
 
-static const paper_s3_f64_command paper_s3_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void paper_s3_f64_nothing(paper_s3_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -213,16 +89,21 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
 
+    /* double: twice the vector part [1] */
+    const double double_0 = 2.0*g_e_1;
+    const double double_1 = 2.0*g_e_2;
+    const double double_2 = 2.0*g_e_3;
+
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const double to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3;
-    const double to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const double to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const double to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const double to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3;
-    const double to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const double to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const double to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const double to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2;
+    const double to_body_0 = 1.0 - double_1*g_e_2 - double_2*g_e_3;
+    const double to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const double to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const double to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const double to_body_4 = 1.0 - double_0*g_e_1 - double_2*g_e_3;
+    const double to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const double to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const double to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const double to_body_8 = 1.0 - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const double eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -242,18 +123,21 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     const double eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm_square: squared length [1] */
-    const double norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+    /* square: square of its vector part [1] */
+    const double square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + g_e_0*g_e_0;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-7) {
-        norm_bounded = 1.0e-7;
+    if (norm_square < 1.0e-8) {
+        norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -262,72 +146,65 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     /* w: cos of half the error angle [1] */
     const double w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = g_e_1*scale;
-    const double v_1 = g_e_2*scale;
-    const double v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = paper_s3_f64_k(fabs(w));
 
-    /* sine_square: v.v [1] */
-    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    double sine_bounded;
-    if (sine_square < (1.0e-60*1.0e-60)) {
-        sine_bounded = 1.0e-60*1.0e-60;
+    /* divisor: the same, never zero [1] */
+    double divisor;
+    if (w >= 0.0) {
+        divisor = square + 1.0e-17;
+    } else if (square > (1.0e-60*1.0e-60)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 1.0e-60*1.0e-60;
     }
 
-    /* sine: |v| [1] */
-    const double sine = sqrt(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    double distance;
+    if (w >= 0.0) {
+        distance = 1.0;
+    } else {
+        distance = scale*sqrt(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
     } else {
-        k = 3.141592653589793/sine - k_near;
+        k = 3.141592653589793/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw = (1.0 - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    double distance;
-    if (w < 0.0) {
-        distance = sine;
-    } else {
-        distance = 1.0;
-    }
-
-    /* p: half of nu_u over v [1] */
-    const double p = 0.5*k;
-
-    /* drop: -dp/dw [1] */
-    const double drop = 0.5*h;
+    /* reach: p by the scale, but for a number [1] */
+    const double reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
-    const double nu_u_0 = 2.0*p*v_0;
-    const double nu_u_1 = 2.0*p*v_1;
-    const double nu_u_2 = 2.0*p*v_2;
+    const double nu_u_0 = g_e_1*reach;
+    const double nu_u_1 = g_e_2*reach;
+    const double nu_u_2 = g_e_3*reach;
 
-    /* turn: v x nu_e [rad/s] */
-    const double turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const double turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const double turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* part: what the law has of nu_e at the identity [rad/s] */
+    const double part_0 = 0.5*nu_e_0;
+    const double part_1 = 0.5*nu_e_1;
+    const double part_2 = 0.5*nu_e_2;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const double bend_0 = turn_2*v_1 - turn_1*v_2;
-    const double bend_1 = turn_0*v_2 - turn_2*v_0;
-    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const double turn_0 = g_e_2*part_2 - g_e_3*part_1;
+    const double turn_1 = g_e_3*part_0 - g_e_1*part_2;
+    const double turn_2 = g_e_1*part_1 - g_e_2*part_0;
+
+    /* bend: vector part x that [rad/s] */
+    const double bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const double bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const double bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_e_0 + bend_0*drop + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_e_1 + bend_1*drop + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_e_2 + bend_2*drop + p*turn_2;
+    const double nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0;
+    const double nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1;
+    const double nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -344,10 +221,10 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
@@ -453,18 +330,21 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm_square: squared length [1] */
-    const double norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+    /* square: square of its vector part [1] */
+    const double square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + g_0*g_0;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-7) {
-        norm_bounded = 1.0e-7;
+    if (norm_square < 1.0e-8) {
+        norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -473,64 +353,65 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     /* w: cos of half the error angle [1] */
     const double w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = g_1*scale;
-    const double v_1 = g_2*scale;
-    const double v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = paper_s3_f64_k(fabs(w));
 
-    /* sine_square: v.v [1] */
-    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    double sine_bounded;
-    if (sine_square < (1.0e-60*1.0e-60)) {
-        sine_bounded = 1.0e-60*1.0e-60;
+    /* divisor: the same, never zero [1] */
+    double divisor;
+    if (w >= 0.0) {
+        divisor = square + 1.0e-17;
+    } else if (square > (1.0e-60*1.0e-60)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 1.0e-60*1.0e-60;
     }
 
-    /* sine: |v| [1] */
-    const double sine = sqrt(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    double distance;
+    if (w >= 0.0) {
+        distance = 1.0;
+    } else {
+        distance = scale*sqrt(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
     } else {
-        k = 3.141592653589793/sine - k_near;
+        k = 3.141592653589793/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw = (1.0 - k*w)/divisor;
 
-    /* p: half of nu_u over v [1] */
-    const double p = 0.5*k;
-
-    /* drop: -dp/dw [1] */
-    const double drop = 0.5*h;
+    /* reach: p by the scale, but for a number [1] */
+    const double reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
-    const double nu_u_0 = 2.0*p*v_0;
-    const double nu_u_1 = 2.0*p*v_1;
-    const double nu_u_2 = 2.0*p*v_2;
+    const double nu_u_0 = g_1*reach;
+    const double nu_u_1 = g_2*reach;
+    const double nu_u_2 = g_3*reach;
 
-    /* turn: v x nu_e [rad/s] */
-    const double turn_0 = nu_2*v_1 - nu_1*v_2;
-    const double turn_1 = nu_0*v_2 - nu_2*v_0;
-    const double turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* part: what the law has of nu_e at the identity [rad/s] */
+    const double part_0 = 0.5*nu_0;
+    const double part_1 = 0.5*nu_1;
+    const double part_2 = 0.5*nu_2;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const double bend_0 = turn_2*v_1 - turn_1*v_2;
-    const double bend_1 = turn_0*v_2 - turn_2*v_0;
-    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const double turn_0 = g_2*part_2 - g_3*part_1;
+    const double turn_1 = g_3*part_0 - g_1*part_2;
+    const double turn_2 = g_1*part_1 - g_2*part_0;
+
+    /* bend: vector part x that [rad/s] */
+    const double bend_0 = g_2*turn_2 - g_3*turn_1;
+    const double bend_1 = g_3*turn_0 - g_1*turn_2;
+    const double bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = 0.5*nu_0 + bend_0*drop + p*turn_0;
-    const double nu_u_dot_1 = 0.5*nu_1 + bend_1*drop + p*turn_1;
-    const double nu_u_dot_2 = 0.5*nu_2 + bend_2*drop + p*turn_2;
+    const double nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0;
+    const double nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1;
+    const double nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -670,7 +551,7 @@ static paper_s3_f64_status paper_s3_f64_refuse(const paper_s3_f64_state *state,
             paper_s3_f64_inspect(reference->nu, 3, PAPER_S3_F64_MAX_INPUT));
     worst = paper_s3_f64_worse(worst,
             paper_s3_f64_inspect(reference->nu_dot, 3, PAPER_S3_F64_MAX_INPUT));
-    *command = paper_s3_f64_nothing;
+    paper_s3_f64_nothing(command);
     return worst;
 }
 
@@ -680,11 +561,11 @@ static paper_s3_f64_status paper_s3_f64_verdict(const double clearance,
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = paper_s3_f64_nothing;
+        paper_s3_f64_nothing(command);
         return PAPER_S3_F64_NONFINITE_INPUT;
     }
     if (clearance < PAPER_S3_F64_REFUSED_CUT) {
-        *command = paper_s3_f64_nothing;
+        paper_s3_f64_nothing(command);
         return PAPER_S3_F64_OUT_OF_RANGE;
     }
     return clearance < PAPER_S3_F64_NEAR_CUT ? PAPER_S3_F64_NEAR_CUT_LOCUS : PAPER_S3_F64_OK;

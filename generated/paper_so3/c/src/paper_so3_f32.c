@@ -1,145 +1,5 @@
 /*
- * paper_so3_f32: gsmc on SO3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force
-         that drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state',
-         'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by
-         row', 'entries': [['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2], ['inertia_3', 3],
-         ['inertia_4', 4], ['inertia_5', 5]], 'holder': 'params', 'is_scalar': False, 'member':
-         'inertia', 'name': 'inertia', 'shape': [6], 'size': 6, 'source': '', 'unit': 'kg m^2'},
-         {'argument': 'lambda_', 'doc': 'sliding rate', 'entries': [['rate_gain', 0]], 'holder':
-         'params', 'is_scalar': True, 'member': 'lambda', 'name': 'rate_gain', 'shape': [1], 'size':
-         1, 'source': '', 'unit': '1/s'}, {'argument': 'k_s', 'doc': 'reaching rate', 'entries':
-         [['reach_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'k_s', 'name':
-         'reach_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'}, {'argument': 'nu',
-         'doc': 'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder':
-         'state', 'is_scalar': False, 'member': 'nu', 'name': 'nu', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r', 'doc': 'reference velocity, reference
-         body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder':
-         'reference', 'is_scalar': False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries':
-         [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference',
-         'is_scalar': False, 'member': 'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries':
-         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5],
-         ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8]], 'holder': '', 'is_scalar': False, 'member':
-         'g_e', 'name': 'g_e', 'shape': [9], 'size': 9, 'source': 'eq. (velErr)', 'unit': '1'}],
-         'is_public': False, 'name': 'tracking', 'operations': 208, 'outputs': [{'doc': 'control
-         force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder': 'command', 'is_scalar':
-         False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '', 'unit': 'N m'}, {'doc':
-         'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder': 'command', 'is_scalar':
-         False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit': 'rad/s'}, {'doc':
-         'kinematic law', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'holder': 'command',
-         'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3, 'source': '', 'unit':
-         'rad'}, {'doc': 'its exact rate', 'entries': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'],
-         'holder': 'command', 'is_scalar': False, 'member': 'nu_u_dot', 'name': 'nu_u_dot', 'size':
-         3, 'source': '', 'unit': 'rad/s'}, {'doc': 'distance from the cut locus of the law',
-         'entries': ['w'], 'holder': '', 'is_scalar': True, 'member': 'clearance', 'name':
-         'clearance', 'size': 1, 'source': '', 'unit': '1'}], 'public_writes': ['command',
-         'clearance'], 'source': 'eq. (TckCtrl)', 'steps': [{'cases': [], 'doc': 'reference velocity
-         in the body frame', 'holder': '', 'is_scalar': False, 'lines': [['eta_0', 'g_e_0*nu_r_0 +
-         g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0 + g_e_4*nu_r_1 + g_e_7*nu_r_2'],
-         ['eta_2', 'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']], 'member': '', 'name': 'eta',
-         'names': ['eta_0', 'eta_1', 'eta_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit':
-         'rad/s'}, {'cases': [], 'doc': 'velocity error', 'holder': '', 'is_scalar': False, 'lines':
-         [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']],
-         'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'size': 3, 'source':
-         'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'exact rate of eta', 'holder': '',
-         'is_scalar': False, 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + g_e_0*nu_r_dot_0 +
-         g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 +
-         g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2 - eta_0*nu_e_2'], ['eta_dot_2',
-         'eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 - eta_1*nu_e_0']],
-         'member': '', 'name': 'eta_dot', 'names': ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'size':
-         3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': '4 p p^T, p = (v, w), by rows',
-         'holder': '', 'is_scalar': False, 'lines': [['B_0', '1.0F + g_e_0 - g_e_4 - g_e_8'],
-         ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0F
-         + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7',
-         '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0F + g_e_0 + g_e_4 +
-         g_e_8']], 'member': '', 'name': 'B', 'names': ['B_0', 'B_1', 'B_2', 'B_3', 'B_4', 'B_5',
-         'B_6', 'B_7', 'B_8', 'B_9'], 'size': 10, 'source': 'polar factor of Markley and
-         Bar-Itzhack', 'unit': '1'}, {'cases': [{'condition': 'B_9 >= 1.0F', 'lines': [['column_0',
-         'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]}, {'condition':
-         '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1', 'B_1'],
-         ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
-         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
-         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
-         ['column_3', 'B_8']]}], 'doc': 'a column of B that cannot vanish', 'holder': '',
-         'is_scalar': False, 'lines': [], 'member': '', 'name': 'column', 'names': ['column_0',
-         'column_1', 'column_2', 'column_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [],
-         'doc': 'the column after one power step', 'holder': '', 'is_scalar': False, 'lines':
-         [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
-         'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
-         B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
-         B_8*column_2 + B_9*column_3']], 'member': '', 'name': 'power', 'names': ['power_0',
-         'power_1', 'power_2', 'power_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [],
-         'doc': 'squared length', 'holder': '', 'is_scalar': True, 'lines': [['norm_square',
-         'power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3']], 'member': '',
-         'name': 'norm_square', 'names': ['norm_square'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]},
-         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}], 'doc': 'the same: less is
-         no element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name':
-         'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': 'length', 'holder': '', 'is_scalar': True, 'lines': [['norm',
-         'sqrtf(norm_bounded)']], 'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [{'condition': 'power_3 < 0.0F', 'lines': [['scale',
-         '-1.0F/norm']]}, {'condition': '', 'lines': [['scale', '1.0F/norm']]}], 'doc': 'to unit
-         length, and to w >= 0: the shorter way round', 'holder': '', 'is_scalar': True, 'lines':
-         [], 'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'cos of half the error angle', 'holder': '', 'is_scalar': True,
-         'lines': [['w', 'power_3*scale']], 'member': '', 'name': 'w', 'names': ['w'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': 'sin of half the error angle times its
-         axis', 'holder': '', 'is_scalar': False, 'lines': [['v_0', 'power_0*scale'], ['v_1',
-         'power_1*scale'], ['v_2', 'power_2*scale']], 'member': '', 'name': 'v', 'names': ['v_0',
-         'v_1', 'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'half angle over
-         its sine', 'holder': '', 'is_scalar': True, 'lines': [['k', 'paper_so3_f32_k(w)']],
-         'member': '', 'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': '1 - w^2, below zero by an ulp at most', 'holder': '', 'is_scalar': True,
-         'lines': [['sine_square', '(1.0F + w)*(1.0F - w)']], 'member': '', 'name': 'sine_square',
-         'names': ['sine_square'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
-         '-dk/dw, as (1 - w k)/s^2', 'holder': '', 'is_scalar': True, 'lines': [['h', '(1.0F -
-         k*w)/(1.0e-8F + fabsf(sine_square))']], 'member': '', 'name': 'h', 'names': ['h'], 'size':
-         1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'kinematic law, the rotation vector',
-         'holder': '', 'is_scalar': False, 'lines': [['nu_u_0', '2.0F*k*v_0'], ['nu_u_1',
-         '2.0F*k*v_1'], ['nu_u_2', '2.0F*k*v_2']], 'member': '', 'name': 'nu_u', 'names': ['nu_u_0',
-         'nu_u_1', 'nu_u_2'], 'size': 3, 'source': 'eq. (KinCtrlLawSO3)', 'unit': 'rad'}, {'cases':
-         [], 'doc': 'v x nu_e', 'holder': '', 'is_scalar': False, 'lines': [['turn_0', 'nu_e_2*v_1 -
-         nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 -
-         nu_e_0*v_1']], 'member': '', 'name': 'turn', 'names': ['turn_0', 'turn_1', 'turn_2'],
-         'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'v x (v x nu_e)', 'holder':
-         '', 'is_scalar': False, 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1',
-         'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'member': '', 'name':
-         'bend', 'names': ['bend_0', 'bend_1', 'bend_2'], 'size': 3, 'source': '', 'unit': 'rad/s'},
-         {'cases': [], 'doc': 'exact rate of nu_u', 'holder': '', 'is_scalar': False, 'lines':
-         [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h +
-         k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'member': '', 'name':
-         'nu_u_dot', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '',
-         'unit': 'rad/s'}, {'cases': [], 'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False,
-         'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
-         'nu_u_2*rate_gain']], 'member': '', 'name': 'drive', 'names': ['drive_0', 'drive_1',
-         'drive_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'sliding
-         variable', 'holder': '', 'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1',
-         'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names':
-         ['s_0', 's_1', 's_2'], 'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s'}, {'cases':
-         [], 'doc': 'acceleration asked for', 'holder': '', 'is_scalar': False, 'lines':
-         [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
-         - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2']], 'member': '', 'name': 'wanted', 'names': ['wanted_0', 'wanted_1',
-         'wanted_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'lambda nu_u
-         - eta', 'holder': '', 'is_scalar': False, 'lines': [['turning_0', 'drive_0 - eta_0'],
-         ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'member': '', 'name':
-         'turning', 'names': ['turning_0', 'turning_1', 'turning_2'], 'size': 3, 'source': '',
-         'unit': 'rad/s'}, {'cases': [], 'doc': 'I nu', 'holder': '', 'is_scalar': False, 'lines':
-         [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2'], ['momentum_1',
-         'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'], ['momentum_2', 'inertia_2*nu_0 +
-         inertia_4*nu_1 + inertia_5*nu_2']], 'member': '', 'name': 'momentum', 'names':
-         ['momentum_0', 'momentum_1', 'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s'},
-         {'cases': [], 'doc': 'control force, I f_u', 'holder': '', 'is_scalar': False, 'lines':
-         [['force_0', 'inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 +
-         momentum_1*turning_2 - momentum_2*turning_1'], ['force_1', 'inertia_1*wanted_0 +
-         inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_2*turning_0 - momentum_0*turning_2'],
-         ['force_2', 'inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 +
-         momentum_0*turning_1 - momentum_1*turning_0']], 'member': '', 'name': 'force', 'names':
-         ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq. (TckCtrl)', 'unit': 'N m'}],
-         'symbol': 'tracking', 'temporaries': 68, 'writes': ['command', 'clearance']}, float
-         precision.
+ * paper_so3_f32: gsmc on SO3, law log (the rotation vector), float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_so3_f32.h"
@@ -149,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -179,7 +43,22 @@ static inline float paper_so3_f32_k(const float w)
     return sum;
 }
 
-static const paper_so3_f32_command paper_so3_f32_nothing = { {0.0F}, {0.0F}, {0.0F}, {0.0F} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void paper_so3_f32_nothing(paper_so3_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -217,17 +96,23 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
     const float eta_dot_2 = eta_0*nu_e_1 + g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2 -
         eta_1*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_4 + g_e_8;
+    const float pairs_3 = g_e_4 - g_e_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_4 - g_e_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_3;
     const float B_2 = g_e_2 + g_e_6;
     const float B_3 = g_e_7 - g_e_5;
-    const float B_4 = 1.0F + g_e_4 - g_e_0 - g_e_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_5 + g_e_7;
     const float B_6 = g_e_2 - g_e_6;
-    const float B_7 = 1.0F + g_e_8 - g_e_0 - g_e_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_3 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_4 + g_e_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -259,8 +144,11 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -270,53 +158,54 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
-
     /* k: half angle over its sine [1] */
     const float k = paper_so3_f32_k(w);
 
-    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
-    const float sine_square = (1.0F + w)*(1.0F - w);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = power_0*stretch;
+    const float nu_u_1 = power_1*stretch;
+    const float nu_u_2 = power_2*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = nu_e_2*power_1 - nu_e_1*power_2;
+    const float turn_1 = nu_e_0*power_2 - nu_e_2*power_0;
+    const float turn_2 = nu_e_1*power_0 - nu_e_0*power_1;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = power_1*turn_2 - power_2*turn_1;
+    const float bend_1 = power_2*turn_0 - power_0*turn_2;
+    const float bend_2 = power_0*turn_1 - power_1*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -333,10 +222,10 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
@@ -453,17 +342,23 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
         g_8 = state->g[8];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_0;
+    const float pairs_1 = 1.0F - g_0;
+    const float pairs_2 = g_4 + g_8;
+    const float pairs_3 = g_4 - g_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_0 - g_4 - g_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_1 + g_3;
     const float B_2 = g_2 + g_6;
     const float B_3 = g_7 - g_5;
-    const float B_4 = 1.0F + g_4 - g_0 - g_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_5 + g_7;
     const float B_6 = g_2 - g_6;
-    const float B_7 = 1.0F + g_8 - g_0 - g_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_3 - g_1;
-    const float B_9 = 1.0F + g_0 + g_4 + g_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -495,8 +390,11 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -506,53 +404,54 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
-
     /* k: half angle over its sine [1] */
     const float k = paper_so3_f32_k(w);
 
-    /* sine_square: 1 - w^2, below zero by an ulp at most [1] */
-    const float sine_square = (1.0F + w)*(1.0F - w);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-8F + fabsf(sine_square));
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = power_0*stretch;
+    const float nu_u_1 = power_1*stretch;
+    const float nu_u_2 = power_2*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = nu_2*power_1 - nu_1*power_2;
+    const float turn_1 = nu_0*power_2 - nu_2*power_0;
+    const float turn_2 = nu_1*power_0 - nu_0*power_1;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = power_1*turn_2 - power_2*turn_1;
+    const float bend_1 = power_2*turn_0 - power_0*turn_2;
+    const float bend_2 = power_0*turn_1 - power_1*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -692,7 +591,7 @@ static paper_so3_f32_status paper_so3_f32_refuse(const paper_so3_f32_state *stat
             paper_so3_f32_inspect(reference->nu, 3, PAPER_SO3_F32_MAX_INPUT));
     worst = paper_so3_f32_worse(worst,
             paper_so3_f32_inspect(reference->nu_dot, 3, PAPER_SO3_F32_MAX_INPUT));
-    *command = paper_so3_f32_nothing;
+    paper_so3_f32_nothing(command);
     return worst;
 }
 
@@ -702,7 +601,7 @@ static paper_so3_f32_status paper_so3_f32_verdict(const float clearance,
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = paper_so3_f32_nothing;
+        paper_so3_f32_nothing(command);
         return PAPER_SO3_F32_NONFINITE_INPUT;
     }
     return clearance < PAPER_SO3_F32_NEAR_CUT ? PAPER_SO3_F32_NEAR_CUT_LOCUS : PAPER_SO3_F32_OK;
@@ -759,16 +658,14 @@ paper_so3_f32_status paper_so3_f32_control(const paper_so3_f32_params *params,
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
     const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
-    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
-    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
-    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
-    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
-        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7;
+    const float off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6;
+    const float off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4;
 
     /* drift: square of the distance from the group [1] */
     const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
-        off_5*off_5 + off_6*off_6;
+        off_5*off_5;
 
     /* -- end -- */
 

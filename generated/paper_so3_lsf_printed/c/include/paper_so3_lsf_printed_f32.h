@@ -1,69 +1,7 @@
 /**
  * @file
- * @brief paper_so3_lsf_printed_f32: lsf_printed on SO3, law {'arguments': ['nu', 'nu_r',
- *     'nu_r_dot', 'g_e'], 'doc': 'LSF force that tracks (g_r, nu_r)', 'has_reference': True,
- *     'holders': ['params', 'state', 'reference'], 'inputs': [{'argument': 'inertia', 'doc':
- *     'inertia, upper triangle, row by row', 'entries': [['inertia_0', 0], ['inertia_1', 1],
- *     ['inertia_2', 2], ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'holder': 'params',
- *     'is_scalar': False, 'member': 'inertia', 'name': 'inertia', 'shape': [6], 'size': 6,
- *     'source': '', 'unit': 'kg m^2'}, {'argument': 'k', 'doc': 'gain of s', 'entries': [['k', 0]],
- *     'holder': 'params', 'is_scalar': True, 'member': 'k', 'name': 'k', 'shape': [1], 'size': 1,
- *     'source': '', 'unit': '1/s'}, {'argument': 'kappa', 'doc': 'gain of the attitude error',
- *     'entries': [['kappa', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'kappa', 'name':
- *     'kappa', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s^2'}, {'argument': 'nu', 'doc':
- *     'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state',
- *     'is_scalar': False, 'member': 'nu', 'name': 'nu', 'shape': [3], 'size': 3, 'source': '',
- *     'unit': 'rad/s'}, {'argument': 'nu_r', 'doc': 'reference velocity, reference body frame',
- *     'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder': 'reference', 'is_scalar':
- *     False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3, 'source': '', 'unit':
- *     'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0],
- *     ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member':
- *     'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s^2'},
- *     {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries': [['g_e_1', 1], ['g_e_2', 2],
- *     ['g_e_3', 3], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7]], 'holder': '', 'is_scalar': False,
- *     'member': 'g_e', 'name': 'g_e', 'shape': [9], 'size': 9, 'source': 'eq. (velErr)', 'unit':
- *     '1'}], 'is_public': False, 'name': 'tracking', 'operations': 73, 'outputs': [{'doc': 'control
- *     force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder': 'command', 'is_scalar':
- *     False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '', 'unit': 'N m'}, {'doc':
- *     'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder': 'command', 'is_scalar':
- *     False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit': 'rad/s'}, {'doc':
- *     'attitude error', 'entries': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'holder': 'command',
- *     'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3, 'source': '', 'unit':
- *     'rad'}, {'doc': 'distance from the cut locus of the law', 'entries': ['1.0F'], 'holder': '',
- *     'is_scalar': True, 'member': 'clearance', 'name': 'clearance', 'size': 1, 'source': '',
- *     'unit': '1'}], 'public_writes': ['command', 'clearance'], 'source': 'eq. (Ctrls2)', 'steps':
- *     [{'cases': [], 'doc': 'attitude error, 2 sin(angle) axis', 'holder': '', 'is_scalar': False,
- *     'lines': [['nu_u_0', 'g_e_7 - g_e_5'], ['nu_u_1', 'g_e_2 - g_e_6'], ['nu_u_2', 'g_e_3 -
- *     g_e_1']], 'member': '', 'name': 'nu_u', 'names': ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'size': 3,
- *     'source': 'eq. (s2)', 'unit': 'rad'}, {'cases': [], 'doc': 'nu - nu_r, each in its own body
- *     frame', 'holder': '', 'is_scalar': False, 'lines': [['raw_0', 'nu_0 - nu_r_0'], ['raw_1',
- *     'nu_1 - nu_r_1'], ['raw_2', 'nu_2 - nu_r_2']], 'member': '', 'name': 'raw', 'names':
- *     ['raw_0', 'raw_1', 'raw_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc':
- *     'kappa/k', 'holder': '', 'is_scalar': True, 'lines': [['ratio', 'kappa/k']], 'member': '',
- *     'name': 'ratio', 'names': ['ratio'], 'size': 1, 'source': '', 'unit': '1/s'}, {'cases': [],
- *     'doc': 'sliding variable', 'holder': '', 'is_scalar': False, 'lines': [['s_0', 'raw_0 +
- *     nu_u_0*ratio'], ['s_1', 'raw_1 + nu_u_1*ratio'], ['s_2', 'raw_2 + nu_u_2*ratio']], 'member':
- *     '', 'name': 's', 'names': ['s_0', 's_1', 's_2'], 'size': 3, 'source': 'eq. (s2)', 'unit':
- *     'rad/s'}, {'cases': [], 'doc': 'acceleration asked for', 'holder': '', 'is_scalar': False,
- *     'lines': [['wanted_0', 'nu_r_dot_0 - k*s_0'], ['wanted_1', 'nu_r_dot_1 - k*s_1'],
- *     ['wanted_2', 'nu_r_dot_2 - k*s_2']], 'member': '', 'name': 'wanted', 'names': ['wanted_0',
- *     'wanted_1', 'wanted_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc':
- *     'nu x nu_r', 'holder': '', 'is_scalar': False, 'lines': [['crossing_0', 'nu_1*nu_r_2 -
- *     nu_2*nu_r_1'], ['crossing_1', 'nu_2*nu_r_0 - nu_0*nu_r_2'], ['crossing_2', 'nu_0*nu_r_1 -
- *     nu_1*nu_r_0']], 'member': '', 'name': 'crossing', 'names': ['crossing_0', 'crossing_1',
- *     'crossing_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'I nu',
- *     'holder': '', 'is_scalar': False, 'lines': [['momentum_0', 'inertia_0*nu_0 + inertia_1*nu_1 +
- *     inertia_2*nu_2'], ['momentum_1', 'inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2'],
- *     ['momentum_2', 'inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2']], 'member': '', 'name':
- *     'momentum', 'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'size': 3, 'source': '',
- *     'unit': 'N m s'}, {'cases': [], 'doc': 'control force', 'holder': '', 'is_scalar': False,
- *     'lines': [['force_0', 'inertia_0*wanted_0 - crossing_0 + inertia_1*wanted_1 +
- *     inertia_2*wanted_2 + momentum_2*nu_1 - momentum_1*nu_2'], ['force_1', 'inertia_1*wanted_0 -
- *     crossing_1 + inertia_3*wanted_1 + inertia_4*wanted_2 + momentum_0*nu_2 - momentum_2*nu_0'],
- *     ['force_2', 'inertia_2*wanted_0 - crossing_2 + inertia_4*wanted_1 + inertia_5*wanted_2 +
- *     momentum_1*nu_0 - momentum_0*nu_1']], 'member': '', 'name': 'force', 'names': ['force_0',
- *     'force_1', 'force_2'], 'size': 3, 'source': 'eq. (Ctrls2)', 'unit': 'N m'}], 'symbol':
- *     'tracking', 'temporaries': 22, 'writes': ['command', 'clearance']}, float precision.
+ * @brief paper_so3_lsf_printed_f32: lsf_printed on SO3, law skew (sin(angle) axis), float
+ *     precision.
  *
  * Generated by derive from the vehicle file paper_so3_lsf_printed.toml; regenerate instead of
          editing.

@@ -1,107 +1,6 @@
 /**
  * @file
- * @brief paper_so3_pd_plus_f64: pd_plus on SO3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot',
- *     'g_e'], 'doc': 'PD+ force that tracks (g_r, nu_r)', 'has_reference': True, 'holders':
- *     ['params', 'state', 'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper
- *     triangle, row by row', 'entries': [['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2],
- *     ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'holder': 'params', 'is_scalar':
- *     False, 'member': 'inertia', 'name': 'inertia', 'shape': [6], 'size': 6, 'source': '', 'unit':
- *     'kg m^2'}, {'argument': 'k_R', 'doc': 'gain of the attitude error', 'entries': [['k_R', 0]],
- *     'holder': 'params', 'is_scalar': True, 'member': 'k_R', 'name': 'k_R', 'shape': [1], 'size':
- *     1, 'source': '', 'unit': 'N m'}, {'argument': 'k_Omega', 'doc': 'gain of s', 'entries':
- *     [['k_Omega', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'k_Omega', 'name':
- *     'k_Omega', 'shape': [1], 'size': 1, 'source': '', 'unit': 'N m s'}, {'argument': 'nu', 'doc':
- *     'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state',
- *     'is_scalar': False, 'member': 'nu', 'name': 'nu', 'shape': [3], 'size': 3, 'source': '',
- *     'unit': 'rad/s'}, {'argument': 'nu_r', 'doc': 'reference velocity, reference body frame',
- *     'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder': 'reference', 'is_scalar':
- *     False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3, 'source': '', 'unit':
- *     'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0],
- *     ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member':
- *     'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s^2'},
- *     {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries': [['g_e_0', 0], ['g_e_1', 1],
- *     ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5], ['g_e_6', 6], ['g_e_7', 7], ['g_e_8',
- *     8]], 'holder': '', 'is_scalar': False, 'member': 'g_e', 'name': 'g_e', 'shape': [9], 'size':
- *     9, 'source': 'eq. (velErr)', 'unit': '1'}], 'is_public': False, 'name': 'tracking',
- *     'operations': 147, 'outputs': [{'doc': 'control force', 'entries': ['force_0', 'force_1',
- *     'force_2'], 'holder': 'command', 'is_scalar': False, 'member': 'force', 'name': 'force',
- *     'size': 3, 'source': '', 'unit': 'N m'}, {'doc': 'sliding variable', 'entries': ['s_0',
- *     's_1', 's_2'], 'holder': 'command', 'is_scalar': False, 'member': 's', 'name': 's', 'size':
- *     3, 'source': '', 'unit': 'rad/s'}, {'doc': 'attitude error', 'entries': ['v_0', 'v_1',
- *     'v_2'], 'holder': 'command', 'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3,
- *     'source': '', 'unit': 'rad'}, {'doc': 'distance from the cut locus of the law', 'entries':
- *     ['w'], 'holder': '', 'is_scalar': True, 'member': 'clearance', 'name': 'clearance', 'size':
- *     1, 'source': '', 'unit': '1'}], 'public_writes': ['command', 'clearance'], 'source': 'eq.
- *     (Ctrls3)', 'steps': [{'cases': [], 'doc': 'reference velocity in the body frame', 'holder':
- *     '', 'is_scalar': False, 'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2'],
- *     ['eta_1', 'g_e_1*nu_r_0 + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2', 'g_e_2*nu_r_0 +
- *     g_e_5*nu_r_1 + g_e_8*nu_r_2']], 'member': '', 'name': 'eta', 'names': ['eta_0', 'eta_1',
- *     'eta_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc':
- *     'velocity error', 'holder': '', 'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'],
- *     ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e',
- *     'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit':
- *     'rad/s'}, {'cases': [], 'doc': 'nu_r_dot in the body frame', 'holder': '', 'is_scalar':
- *     False, 'lines': [['given_0', 'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2'],
- *     ['given_1', 'g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'], ['given_2',
- *     'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2']], 'member': '', 'name': 'given',
- *     'names': ['given_0', 'given_1', 'given_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'},
- *     {'cases': [], 'doc': '4 p p^T, p = (v, w), by rows', 'holder': '', 'is_scalar': False,
- *     'lines': [['B_0', '1.0 + g_e_0 - g_e_4 - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 +
- *     g_e_6'], ['B_3', 'g_e_7 - g_e_5'], ['B_4', '1.0 + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 +
- *     g_e_7'], ['B_6', 'g_e_2 - g_e_6'], ['B_7', '1.0 + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 -
- *     g_e_1'], ['B_9', '1.0 + g_e_0 + g_e_4 + g_e_8']], 'member': '', 'name': 'B', 'names': ['B_0',
- *     'B_1', 'B_2', 'B_3', 'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'size': 10, 'source': 'polar
- *     factor of Markley and Bar-Itzhack', 'unit': '1'}, {'cases': [{'condition': 'B_9 >= 1.0',
- *     'lines': [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3',
- *     'B_9']]}, {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'],
- *     ['column_1', 'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7',
- *     'lines': [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3',
- *     'B_6']]}, {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2',
- *     'B_7'], ['column_3', 'B_8']]}], 'doc': 'a column of B that cannot vanish', 'holder': '',
- *     'is_scalar': False, 'lines': [], 'member': '', 'name': 'column', 'names': ['column_0',
- *     'column_1', 'column_2', 'column_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [],
- *     'doc': 'the column after one power step', 'holder': '', 'is_scalar': False, 'lines':
- *     [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
- *     'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
- *     B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
- *     B_8*column_2 + B_9*column_3']], 'member': '', 'name': 'power', 'names': ['power_0',
- *     'power_1', 'power_2', 'power_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [], 'doc':
- *     'squared length', 'holder': '', 'is_scalar': True, 'lines': [['norm_square', 'power_0*power_0
- *     + power_1*power_1 + power_2*power_2 + power_3*power_3']], 'member': '', 'name':
- *     'norm_square', 'names': ['norm_square'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
- *     [{'condition': 'norm_square < 49.0', 'lines': [['norm_bounded', '49.0']]}, {'condition': '',
- *     'lines': [['norm_bounded', 'norm_square']]}], 'doc': 'the same: less is no element',
- *     'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'norm_bounded', 'names':
- *     ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'length',
- *     'holder': '', 'is_scalar': True, 'lines': [['norm', 'sqrt(norm_bounded)']], 'member': '',
- *     'name': 'norm', 'names': ['norm'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
- *     [{'condition': 'power_3 < 0.0', 'lines': [['scale', '-1.0/norm']]}, {'condition': '',
- *     'lines': [['scale', '1.0/norm']]}], 'doc': 'to unit length, and to w >= 0: the shorter way
- *     round', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'scale', 'names':
- *     ['scale'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'cos of half the error
- *     angle', 'holder': '', 'is_scalar': True, 'lines': [['w', 'power_3*scale']], 'member': '',
- *     'name': 'w', 'names': ['w'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'sin
- *     of half the error angle times its axis', 'holder': '', 'is_scalar': False, 'lines': [['v_0',
- *     'power_0*scale'], ['v_1', 'power_1*scale'], ['v_2', 'power_2*scale']], 'member': '', 'name':
- *     'v', 'names': ['v_0', 'v_1', 'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases': [],
- *     'doc': 'k_R/k_Omega', 'holder': '', 'is_scalar': True, 'lines': [['ratio', 'k_R/k_Omega']],
- *     'member': '', 'name': 'ratio', 'names': ['ratio'], 'size': 1, 'source': '', 'unit': '1/s'},
- *     {'cases': [], 'doc': 'sliding variable', 'holder': '', 'is_scalar': False, 'lines': [['s_0',
- *     'nu_e_0 + ratio*v_0'], ['s_1', 'nu_e_1 + ratio*v_1'], ['s_2', 'nu_e_2 + ratio*v_2']],
- *     'member': '', 'name': 's', 'names': ['s_0', 's_1', 's_2'], 'size': 3, 'source': 'eq. (s3)',
- *     'unit': 'rad/s'}, {'cases': [], 'doc': 'I eta', 'holder': '', 'is_scalar': False, 'lines':
- *     [['momentum_0', 'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1',
- *     'eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 +
- *     eta_1*inertia_4 + eta_2*inertia_5']], 'member': '', 'name': 'momentum', 'names':
- *     ['momentum_0', 'momentum_1', 'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s'},
- *     {'cases': [], 'doc': 'control force', 'holder': '', 'is_scalar': False, 'lines': [['force_0',
- *     'eta_1*momentum_2 + given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2 -
- *     eta_2*momentum_1 - k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 + given_0*inertia_1 +
- *     given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'], ['force_2',
- *     'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 -
- *     eta_1*momentum_0 - k_Omega*s_2']], 'member': '', 'name': 'force', 'names': ['force_0',
- *     'force_1', 'force_2'], 'size': 3, 'source': 'eq. (Ctrls3)', 'unit': 'N m'}], 'symbol':
- *     'tracking', 'temporaries': 45, 'writes': ['command', 'clearance']}, double precision.
+ * @brief paper_so3_pd_plus_f64: pd_plus on SO3, law lee (sin(angle/2) axis), double precision.
  *
  * Generated by derive from the vehicle file paper_so3_pd_plus.toml; regenerate instead of editing.
  *
@@ -207,7 +106,7 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_control(const paper_so3_pd_pl
 
 /**
  * PD+ force that tracks (g_r, nu_r); eq. (Ctrls3).
- * Unguarded: presumes what control checks. Cost: 192 operations, 54 temporaries.
+ * Unguarded: presumes what control checks. Cost: 189 operations, 60 temporaries.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves

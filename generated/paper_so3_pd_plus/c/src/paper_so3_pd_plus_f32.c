@@ -1,108 +1,5 @@
 /*
- * paper_so3_pd_plus_f32: pd_plus on SO3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'],
-         'doc': 'PD+ force that tracks (g_r, nu_r)', 'has_reference': True, 'holders': ['params',
-         'state', 'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle,
-         row by row', 'entries': [['inertia_0', 0], ['inertia_1', 1], ['inertia_2', 2],
-         ['inertia_3', 3], ['inertia_4', 4], ['inertia_5', 5]], 'holder': 'params', 'is_scalar':
-         False, 'member': 'inertia', 'name': 'inertia', 'shape': [6], 'size': 6, 'source': '',
-         'unit': 'kg m^2'}, {'argument': 'k_R', 'doc': 'gain of the attitude error', 'entries':
-         [['k_R', 0]], 'holder': 'params', 'is_scalar': True, 'member': 'k_R', 'name': 'k_R',
-         'shape': [1], 'size': 1, 'source': '', 'unit': 'N m'}, {'argument': 'k_Omega', 'doc': 'gain
-         of s', 'entries': [['k_Omega', 0]], 'holder': 'params', 'is_scalar': True, 'member':
-         'k_Omega', 'name': 'k_Omega', 'shape': [1], 'size': 1, 'source': '', 'unit': 'N m s'},
-         {'argument': 'nu', 'doc': 'body velocity', 'entries': [['nu_0', 0], ['nu_1', 1], ['nu_2',
-         2]], 'holder': 'state', 'is_scalar': False, 'member': 'nu', 'name': 'nu', 'shape': [3],
-         'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r', 'doc': 'reference velocity,
-         reference body frame', 'entries': [['nu_r_0', 0], ['nu_r_1', 1], ['nu_r_2', 2]], 'holder':
-         'reference', 'is_scalar': False, 'member': 'nu', 'name': 'nu_r', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s'}, {'argument': 'nu_r_dot', 'doc': 'its rate', 'entries':
-         [['nu_r_dot_0', 0], ['nu_r_dot_1', 1], ['nu_r_dot_2', 2]], 'holder': 'reference',
-         'is_scalar': False, 'member': 'nu_dot', 'name': 'nu_r_dot', 'shape': [3], 'size': 3,
-         'source': '', 'unit': 'rad/s^2'}, {'argument': 'g_e', 'doc': 'error, g_r^-1 g', 'entries':
-         [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3', 3], ['g_e_4', 4], ['g_e_5', 5],
-         ['g_e_6', 6], ['g_e_7', 7], ['g_e_8', 8]], 'holder': '', 'is_scalar': False, 'member':
-         'g_e', 'name': 'g_e', 'shape': [9], 'size': 9, 'source': 'eq. (velErr)', 'unit': '1'}],
-         'is_public': False, 'name': 'tracking', 'operations': 147, 'outputs': [{'doc': 'control
-         force', 'entries': ['force_0', 'force_1', 'force_2'], 'holder': 'command', 'is_scalar':
-         False, 'member': 'force', 'name': 'force', 'size': 3, 'source': '', 'unit': 'N m'}, {'doc':
-         'sliding variable', 'entries': ['s_0', 's_1', 's_2'], 'holder': 'command', 'is_scalar':
-         False, 'member': 's', 'name': 's', 'size': 3, 'source': '', 'unit': 'rad/s'}, {'doc':
-         'attitude error', 'entries': ['v_0', 'v_1', 'v_2'], 'holder': 'command', 'is_scalar':
-         False, 'member': 'nu_u', 'name': 'nu_u', 'size': 3, 'source': '', 'unit': 'rad'}, {'doc':
-         'distance from the cut locus of the law', 'entries': ['w'], 'holder': '', 'is_scalar':
-         True, 'member': 'clearance', 'name': 'clearance', 'size': 1, 'source': '', 'unit': '1'}],
-         'public_writes': ['command', 'clearance'], 'source': 'eq. (Ctrls3)', 'steps': [{'cases':
-         [], 'doc': 'reference velocity in the body frame', 'holder': '', 'is_scalar': False,
-         'lines': [['eta_0', 'g_e_0*nu_r_0 + g_e_3*nu_r_1 + g_e_6*nu_r_2'], ['eta_1', 'g_e_1*nu_r_0
-         + g_e_4*nu_r_1 + g_e_7*nu_r_2'], ['eta_2', 'g_e_2*nu_r_0 + g_e_5*nu_r_1 + g_e_8*nu_r_2']],
-         'member': '', 'name': 'eta', 'names': ['eta_0', 'eta_1', 'eta_2'], 'size': 3, 'source':
-         'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'velocity error', 'holder': '',
-         'is_scalar': False, 'lines': [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'],
-         ['nu_e_2', 'nu_2 - eta_2']], 'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1',
-         'nu_e_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc':
-         'nu_r_dot in the body frame', 'holder': '', 'is_scalar': False, 'lines': [['given_0',
-         'g_e_0*nu_r_dot_0 + g_e_3*nu_r_dot_1 + g_e_6*nu_r_dot_2'], ['given_1', 'g_e_1*nu_r_dot_0 +
-         g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2'], ['given_2', 'g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 +
-         g_e_8*nu_r_dot_2']], 'member': '', 'name': 'given', 'names': ['given_0', 'given_1',
-         'given_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': '4 p p^T, p =
-         (v, w), by rows', 'holder': '', 'is_scalar': False, 'lines': [['B_0', '1.0F + g_e_0 - g_e_4
-         - g_e_8'], ['B_1', 'g_e_1 + g_e_3'], ['B_2', 'g_e_2 + g_e_6'], ['B_3', 'g_e_7 - g_e_5'],
-         ['B_4', '1.0F + g_e_4 - g_e_0 - g_e_8'], ['B_5', 'g_e_5 + g_e_7'], ['B_6', 'g_e_2 -
-         g_e_6'], ['B_7', '1.0F + g_e_8 - g_e_0 - g_e_4'], ['B_8', 'g_e_3 - g_e_1'], ['B_9', '1.0F +
-         g_e_0 + g_e_4 + g_e_8']], 'member': '', 'name': 'B', 'names': ['B_0', 'B_1', 'B_2', 'B_3',
-         'B_4', 'B_5', 'B_6', 'B_7', 'B_8', 'B_9'], 'size': 10, 'source': 'polar factor of Markley
-         and Bar-Itzhack', 'unit': '1'}, {'cases': [{'condition': 'B_9 >= 1.0F', 'lines':
-         [['column_0', 'B_3'], ['column_1', 'B_6'], ['column_2', 'B_8'], ['column_3', 'B_9']]},
-         {'condition': '(B_0 >= B_4) && (B_0 >= B_7)', 'lines': [['column_0', 'B_0'], ['column_1',
-         'B_1'], ['column_2', 'B_2'], ['column_3', 'B_3']]}, {'condition': 'B_4 >= B_7', 'lines':
-         [['column_0', 'B_1'], ['column_1', 'B_4'], ['column_2', 'B_5'], ['column_3', 'B_6']]},
-         {'condition': '', 'lines': [['column_0', 'B_2'], ['column_1', 'B_5'], ['column_2', 'B_7'],
-         ['column_3', 'B_8']]}], 'doc': 'a column of B that cannot vanish', 'holder': '',
-         'is_scalar': False, 'lines': [], 'member': '', 'name': 'column', 'names': ['column_0',
-         'column_1', 'column_2', 'column_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [],
-         'doc': 'the column after one power step', 'holder': '', 'is_scalar': False, 'lines':
-         [['power_0', 'B_0*column_0 + B_1*column_1 + B_2*column_2 + B_3*column_3'], ['power_1',
-         'B_1*column_0 + B_4*column_1 + B_5*column_2 + B_6*column_3'], ['power_2', 'B_2*column_0 +
-         B_5*column_1 + B_7*column_2 + B_8*column_3'], ['power_3', 'B_3*column_0 + B_6*column_1 +
-         B_8*column_2 + B_9*column_3']], 'member': '', 'name': 'power', 'names': ['power_0',
-         'power_1', 'power_2', 'power_3'], 'size': 4, 'source': '', 'unit': '1'}, {'cases': [],
-         'doc': 'squared length', 'holder': '', 'is_scalar': True, 'lines': [['norm_square',
-         'power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3']], 'member': '',
-         'name': 'norm_square', 'names': ['norm_square'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [{'condition': 'norm_square < 49.0F', 'lines': [['norm_bounded', '49.0F']]},
-         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}], 'doc': 'the same: less is
-         no element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name':
-         'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': 'length', 'holder': '', 'is_scalar': True, 'lines': [['norm',
-         'sqrtf(norm_bounded)']], 'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [{'condition': 'power_3 < 0.0F', 'lines': [['scale',
-         '-1.0F/norm']]}, {'condition': '', 'lines': [['scale', '1.0F/norm']]}], 'doc': 'to unit
-         length, and to w >= 0: the shorter way round', 'holder': '', 'is_scalar': True, 'lines':
-         [], 'member': '', 'name': 'scale', 'names': ['scale'], 'size': 1, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'cos of half the error angle', 'holder': '', 'is_scalar': True,
-         'lines': [['w', 'power_3*scale']], 'member': '', 'name': 'w', 'names': ['w'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': 'sin of half the error angle times its
-         axis', 'holder': '', 'is_scalar': False, 'lines': [['v_0', 'power_0*scale'], ['v_1',
-         'power_1*scale'], ['v_2', 'power_2*scale']], 'member': '', 'name': 'v', 'names': ['v_0',
-         'v_1', 'v_2'], 'size': 3, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'k_R/k_Omega',
-         'holder': '', 'is_scalar': True, 'lines': [['ratio', 'k_R/k_Omega']], 'member': '', 'name':
-         'ratio', 'names': ['ratio'], 'size': 1, 'source': '', 'unit': '1/s'}, {'cases': [], 'doc':
-         'sliding variable', 'holder': '', 'is_scalar': False, 'lines': [['s_0', 'nu_e_0 +
-         ratio*v_0'], ['s_1', 'nu_e_1 + ratio*v_1'], ['s_2', 'nu_e_2 + ratio*v_2']], 'member': '',
-         'name': 's', 'names': ['s_0', 's_1', 's_2'], 'size': 3, 'source': 'eq. (s3)', 'unit':
-         'rad/s'}, {'cases': [], 'doc': 'I eta', 'holder': '', 'is_scalar': False, 'lines':
-         [['momentum_0', 'eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2'], ['momentum_1',
-         'eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4'], ['momentum_2', 'eta_0*inertia_2 +
-         eta_1*inertia_4 + eta_2*inertia_5']], 'member': '', 'name': 'momentum', 'names':
-         ['momentum_0', 'momentum_1', 'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m s'},
-         {'cases': [], 'doc': 'control force', 'holder': '', 'is_scalar': False, 'lines':
-         [['force_0', 'eta_1*momentum_2 + given_0*inertia_0 + given_1*inertia_1 + given_2*inertia_2
-         - eta_2*momentum_1 - k_Omega*s_0'], ['force_1', 'eta_2*momentum_0 + given_0*inertia_1 +
-         given_1*inertia_3 + given_2*inertia_4 - eta_0*momentum_2 - k_Omega*s_1'], ['force_2',
-         'eta_0*momentum_1 + given_0*inertia_2 + given_1*inertia_4 + given_2*inertia_5 -
-         eta_1*momentum_0 - k_Omega*s_2']], 'member': '', 'name': 'force', 'names': ['force_0',
-         'force_1', 'force_2'], 'size': 3, 'source': 'eq. (Ctrls3)', 'unit': 'N m'}], 'symbol':
-         'tracking', 'temporaries': 45, 'writes': ['command', 'clearance']}, float precision.
+ * paper_so3_pd_plus_f32: pd_plus on SO3, law lee (sin(angle/2) axis), float precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "paper_so3_pd_plus_f32.h"
@@ -112,6 +9,10 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
 #if !defined(__GNUC__) || defined(__clang__)
@@ -125,8 +26,19 @@ const paper_so3_pd_plus_f32_params paper_so3_pd_plus_f32_defaults = {
     0.0001F /* max_drift */
 };
 
-static const paper_so3_pd_plus_f32_command paper_so3_pd_plus_f32_nothing = { {0.0F}, {0.0F}, {0.0F}
-        };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void paper_so3_pd_plus_f32_nothing(paper_so3_pd_plus_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+}
 
 /* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3), past the error. Gives the distance from the cut
         locus. */
@@ -162,17 +74,23 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     const float given_1 = g_e_1*nu_r_dot_0 + g_e_4*nu_r_dot_1 + g_e_7*nu_r_dot_2;
     const float given_2 = g_e_2*nu_r_dot_0 + g_e_5*nu_r_dot_1 + g_e_8*nu_r_dot_2;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_4 + g_e_8;
+    const float pairs_3 = g_e_4 - g_e_8;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_4 - g_e_8;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_3;
     const float B_2 = g_e_2 + g_e_6;
     const float B_3 = g_e_7 - g_e_5;
-    const float B_4 = 1.0F + g_e_4 - g_e_0 - g_e_8;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_5 + g_e_7;
     const float B_6 = g_e_2 - g_e_6;
-    const float B_7 = 1.0F + g_e_8 - g_e_0 - g_e_4;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_3 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_4 + g_e_8;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -204,8 +122,11 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
-    /* norm_square: squared length [1] */
-    const float norm_square = power_0*power_0 + power_1*power_1 + power_2*power_2 + power_3*power_3;
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
@@ -215,32 +136,35 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = power_0*scale;
-    const float v_1 = power_1*scale;
-    const float v_2 = power_2*scale;
+    /* nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3) */
+    const float nu_u_0 = power_0*scale;
+    const float nu_u_1 = power_1*scale;
+    const float nu_u_2 = power_2*scale;
 
     /* ratio: k_R/k_Omega [1/s] */
     const float ratio = k_R/k_Omega;
 
     /* s: sliding variable [rad/s], eq. (s3) */
-    const float s_0 = nu_e_0 + ratio*v_0;
-    const float s_1 = nu_e_1 + ratio*v_1;
-    const float s_2 = nu_e_2 + ratio*v_2;
+    const float s_0 = nu_e_0 + nu_u_0*ratio;
+    const float s_1 = nu_e_1 + nu_u_1*ratio;
+    const float s_2 = nu_e_2 + nu_u_2*ratio;
 
     /* momentum: I eta [N m s] */
     const float momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2;
@@ -262,9 +186,9 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     command->s[0] = s_0;
     command->s[1] = s_1;
     command->s[2] = s_2;
-    command->nu_u[0] = v_0;
-    command->nu_u[1] = v_1;
-    command->nu_u[2] = v_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
     return w;
 }
 
@@ -440,7 +364,7 @@ static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_refuse(const paper_so3
             paper_so3_pd_plus_f32_inspect(reference->nu, 3, PAPER_SO3_PD_PLUS_F32_MAX_INPUT));
     worst = paper_so3_pd_plus_f32_worse(worst,
             paper_so3_pd_plus_f32_inspect(reference->nu_dot, 3, PAPER_SO3_PD_PLUS_F32_MAX_INPUT));
-    *command = paper_so3_pd_plus_f32_nothing;
+    paper_so3_pd_plus_f32_nothing(command);
     return worst;
 }
 
@@ -450,7 +374,7 @@ static paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_verdict(const float cl
 {
     if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
             isfinite(command->force[2]))) {
-        *command = paper_so3_pd_plus_f32_nothing;
+        paper_so3_pd_plus_f32_nothing(command);
         return PAPER_SO3_PD_PLUS_F32_NONFINITE_INPUT;
     }
     return clearance < PAPER_SO3_PD_PLUS_F32_NEAR_CUT ? PAPER_SO3_PD_PLUS_F32_NEAR_CUT_LOCUS :
@@ -515,16 +439,14 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
     /* off: what vanishes on the group, and only there [1] */
     const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3 + g_e_6*g_e_6;
     const float off_1 = g_e_0*g_e_1 + g_e_3*g_e_4 + g_e_6*g_e_7;
-    const float off_2 = g_e_0*g_e_2 + g_e_3*g_e_5 + g_e_6*g_e_8;
-    const float off_3 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
-    const float off_4 = g_e_1*g_e_2 + g_e_4*g_e_5 + g_e_7*g_e_8;
-    const float off_5 = g_e_2*g_e_2 - 1.0F + g_e_5*g_e_5 + g_e_8*g_e_8;
-    const float off_6 = g_e_0*g_e_4*g_e_8 - 1.0F + g_e_1*g_e_5*g_e_6 + g_e_2*g_e_3*g_e_7 -
-        g_e_0*g_e_5*g_e_7 - g_e_1*g_e_3*g_e_8 - g_e_2*g_e_4*g_e_6;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_4*g_e_4 + g_e_7*g_e_7;
+    const float off_3 = g_e_2 + g_e_4*g_e_6 - g_e_3*g_e_7;
+    const float off_4 = g_e_5 + g_e_0*g_e_7 - g_e_1*g_e_6;
+    const float off_5 = g_e_8 + g_e_1*g_e_3 - g_e_0*g_e_4;
 
     /* drift: square of the distance from the group [1] */
     const float drift = off_0*off_0 + off_1*off_1 + off_2*off_2 + off_3*off_3 + off_4*off_4 +
-        off_5*off_5 + off_6*off_6;
+        off_5*off_5;
 
     /* -- end -- */
 

@@ -1,141 +1,5 @@
 /*
- * quadrotor_f64: gsmc on S3, law {'arguments': ['nu', 'nu_r', 'nu_r_dot', 'g_e'], 'doc': 'force
-         that drives (g, nu) to (g_r, nu_r)', 'has_reference': True, 'holders': ['params', 'state',
-         'reference'], 'inputs': [{'argument': 'inertia', 'doc': 'inertia, upper triangle, row by
-         row', 'entries': [['inertia_0', 0], ['inertia_2', 2], ['inertia_3', 3], ['inertia_5', 5]],
-         'holder': 'params', 'is_scalar': False, 'member': 'inertia', 'name': 'inertia', 'shape':
-         [6], 'size': 6, 'source': '', 'unit': 'kg m^2'}, {'argument': 'lambda_', 'doc': 'sliding
-         rate', 'entries': [['rate_gain', 0]], 'holder': 'params', 'is_scalar': True, 'member':
-         'lambda', 'name': 'rate_gain', 'shape': [1], 'size': 1, 'source': '', 'unit': '1/s'},
-         {'argument': 'k_s', 'doc': 'reaching rate', 'entries': [['reach_gain', 0]], 'holder':
-         'params', 'is_scalar': True, 'member': 'k_s', 'name': 'reach_gain', 'shape': [1], 'size':
-         1, 'source': '', 'unit': '1/s'}, {'argument': 'nu', 'doc': 'body velocity', 'entries':
-         [['nu_0', 0], ['nu_1', 1], ['nu_2', 2]], 'holder': 'state', 'is_scalar': False, 'member':
-         'nu', 'name': 'nu', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument':
-         'nu_r', 'doc': 'reference velocity, reference body frame', 'entries': [['nu_r_0', 0],
-         ['nu_r_1', 1], ['nu_r_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member': 'nu',
-         'name': 'nu_r', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'argument':
-         'nu_r_dot', 'doc': 'its rate', 'entries': [['nu_r_dot_0', 0], ['nu_r_dot_1', 1],
-         ['nu_r_dot_2', 2]], 'holder': 'reference', 'is_scalar': False, 'member': 'nu_dot', 'name':
-         'nu_r_dot', 'shape': [3], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'argument': 'g_e',
-         'doc': 'error, g_r^-1 g', 'entries': [['g_e_0', 0], ['g_e_1', 1], ['g_e_2', 2], ['g_e_3',
-         3]], 'holder': '', 'is_scalar': False, 'member': 'g_e', 'name': 'g_e', 'shape': [4],
-         'size': 4, 'source': 'eq. (velErr)', 'unit': '1'}], 'is_public': False, 'name': 'tracking',
-         'operations': 185, 'outputs': [{'doc': 'control force', 'entries': ['force_0', 'force_1',
-         'force_2'], 'holder': 'command', 'is_scalar': False, 'member': 'force', 'name': 'force',
-         'size': 3, 'source': '', 'unit': 'N m'}, {'doc': 'sliding variable', 'entries': ['s_0',
-         's_1', 's_2'], 'holder': 'command', 'is_scalar': False, 'member': 's', 'name': 's', 'size':
-         3, 'source': '', 'unit': 'rad/s'}, {'doc': 'kinematic law', 'entries': ['nu_u_0', 'nu_u_1',
-         'nu_u_2'], 'holder': 'command', 'is_scalar': False, 'member': 'nu_u', 'name': 'nu_u',
-         'size': 3, 'source': '', 'unit': 'rad'}, {'doc': 'its exact rate', 'entries':
-         ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'holder': 'command', 'is_scalar': False,
-         'member': 'nu_u_dot', 'name': 'nu_u_dot', 'size': 3, 'source': '', 'unit': 'rad/s'},
-         {'doc': 'distance from the cut locus of the law', 'entries': ['distance'], 'holder': '',
-         'is_scalar': True, 'member': 'clearance', 'name': 'clearance', 'size': 1, 'source': '',
-         'unit': '1'}], 'public_writes': ['command', 'clearance'], 'source': 'eq. (TckCtrl)',
-         'steps': [{'cases': [], 'doc': 'Ad of g_e^-1: reference to body frame', 'holder': '',
-         'is_scalar': False, 'lines': [['to_body_0', '1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3'],
-         ['to_body_1', '2.0*(g_e_0*g_e_3 + g_e_1*g_e_2)'], ['to_body_2', '2.0*(g_e_1*g_e_3 -
-         g_e_0*g_e_2)'], ['to_body_3', '2.0*(g_e_1*g_e_2 - g_e_0*g_e_3)'], ['to_body_4', '1.0 -
-         2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3'], ['to_body_5', '2.0*(g_e_0*g_e_1 + g_e_2*g_e_3)'],
-         ['to_body_6', '2.0*(g_e_0*g_e_2 + g_e_1*g_e_3)'], ['to_body_7', '2.0*(g_e_2*g_e_3 -
-         g_e_0*g_e_1)'], ['to_body_8', '1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2']], 'member': '',
-         'name': 'to_body', 'names': ['to_body_0', 'to_body_1', 'to_body_2', 'to_body_3',
-         'to_body_4', 'to_body_5', 'to_body_6', 'to_body_7', 'to_body_8'], 'size': 9, 'source': '',
-         'unit': '1'}, {'cases': [], 'doc': 'reference velocity in the body frame', 'holder': '',
-         'is_scalar': False, 'lines': [['eta_0', 'nu_r_0*to_body_0 + nu_r_1*to_body_1 +
-         nu_r_2*to_body_2'], ['eta_1', 'nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5'],
-         ['eta_2', 'nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8']], 'member': '', 'name':
-         'eta', 'names': ['eta_0', 'eta_1', 'eta_2'], 'size': 3, 'source': 'eq. (velErr)', 'unit':
-         'rad/s'}, {'cases': [], 'doc': 'velocity error', 'holder': '', 'is_scalar': False, 'lines':
-         [['nu_e_0', 'nu_0 - eta_0'], ['nu_e_1', 'nu_1 - eta_1'], ['nu_e_2', 'nu_2 - eta_2']],
-         'member': '', 'name': 'nu_e', 'names': ['nu_e_0', 'nu_e_1', 'nu_e_2'], 'size': 3, 'source':
-         'eq. (velErr)', 'unit': 'rad/s'}, {'cases': [], 'doc': 'exact rate of eta', 'holder': '',
-         'is_scalar': False, 'lines': [['eta_dot_0', 'eta_1*nu_e_2 + nu_r_dot_0*to_body_0 +
-         nu_r_dot_1*to_body_1 + nu_r_dot_2*to_body_2 - eta_2*nu_e_1'], ['eta_dot_1', 'eta_2*nu_e_0 +
-         nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 + nu_r_dot_2*to_body_5 - eta_0*nu_e_2'],
-         ['eta_dot_2', 'eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
-         nu_r_dot_2*to_body_8 - eta_1*nu_e_0']], 'member': '', 'name': 'eta_dot', 'names':
-         ['eta_dot_0', 'eta_dot_1', 'eta_dot_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'},
-         {'cases': [], 'doc': 'squared length', 'holder': '', 'is_scalar': True, 'lines':
-         [['norm_square', 'g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3']], 'member': '',
-         'name': 'norm_square', 'names': ['norm_square'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [{'condition': 'norm_square < 1.0e-7', 'lines': [['norm_bounded', '1.0e-7']]},
-         {'condition': '', 'lines': [['norm_bounded', 'norm_square']]}], 'doc': 'the same: less is
-         no element', 'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name':
-         'norm_bounded', 'names': ['norm_bounded'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': 'length', 'holder': '', 'is_scalar': True, 'lines': [['norm',
-         'sqrt(norm_bounded)']], 'member': '', 'name': 'norm', 'names': ['norm'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': 'to unit length', 'holder': '',
-         'is_scalar': True, 'lines': [['scale', '1.0/norm']], 'member': '', 'name': 'scale',
-         'names': ['scale'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'cos of
-         half the error angle', 'holder': '', 'is_scalar': True, 'lines': [['w', 'g_e_0*scale']],
-         'member': '', 'name': 'w', 'names': ['w'], 'size': 1, 'source': '', 'unit': '1'}, {'cases':
-         [], 'doc': 'sin of half the error angle times its axis', 'holder': '', 'is_scalar': False,
-         'lines': [['v_0', 'g_e_1*scale'], ['v_1', 'g_e_2*scale'], ['v_2', 'g_e_3*scale']],
-         'member': '', 'name': 'v', 'names': ['v_0', 'v_1', 'v_2'], 'size': 3, 'source': '', 'unit':
-         '1'}, {'cases': [], 'doc': 'half angle over its sine, for |w|', 'holder': '', 'is_scalar':
-         True, 'lines': [['k_near', 'quadrotor_f64_k(fabs(w))']], 'member': '', 'name': 'k_near',
-         'names': ['k_near'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'v.v',
-         'holder': '', 'is_scalar': True, 'lines': [['sine_square', 'v_0*v_0 + v_1*v_1 + v_2*v_2']],
-         'member': '', 'name': 'sine_square', 'names': ['sine_square'], 'size': 1, 'source': '',
-         'unit': '1'}, {'cases': [{'condition': 'sine_square < (1.0e-60*1.0e-60)', 'lines':
-         [['sine_bounded', '1.0e-60*1.0e-60']]}, {'condition': '', 'lines': [['sine_bounded',
-         'sine_square']]}], 'doc': 'the same, away from -i and i', 'holder': '', 'is_scalar': True,
-         'lines': [], 'member': '', 'name': 'sine_bounded', 'names': ['sine_bounded'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [], 'doc': '|v|', 'holder': '', 'is_scalar': True,
-         'lines': [['sine', 'sqrt(sine_bounded)']], 'member': '', 'name': 'sine', 'names': ['sine'],
-         'size': 1, 'source': '', 'unit': '1'}, {'cases': [{'condition': 'w >= 0.0', 'lines': [['k',
-         'k_near']]}, {'condition': '', 'lines': [['k', '3.141592653589793/sine - k_near']]}],
-         'doc': 'half angle over its sine, on to 2 pi', 'holder': '', 'is_scalar': True, 'lines':
-         [], 'member': '', 'name': 'k', 'names': ['k'], 'size': 1, 'source': '', 'unit': '1'},
-         {'cases': [], 'doc': '-dk/dw, as (1 - w k)/s^2', 'holder': '', 'is_scalar': True, 'lines':
-         [['h', '(1.0 - k*w)/sine_bounded']], 'member': '', 'name': 'h', 'names': ['h'], 'size': 1,
-         'source': '', 'unit': '1'}, {'cases': [{'condition': 'w < 0.0', 'lines': [['distance',
-         'sine']]}, {'condition': '', 'lines': [['distance', '1.0']]}], 'doc': 'distance from -i',
-         'holder': '', 'is_scalar': True, 'lines': [], 'member': '', 'name': 'distance', 'names':
-         ['distance'], 'size': 1, 'source': '', 'unit': '1'}, {'cases': [], 'doc': 'kinematic law,
-         the rotation vector', 'holder': '', 'is_scalar': False, 'lines': [['nu_u_0', '2.0*k*v_0'],
-         ['nu_u_1', '2.0*k*v_1'], ['nu_u_2', '2.0*k*v_2']], 'member': '', 'name': 'nu_u', 'names':
-         ['nu_u_0', 'nu_u_1', 'nu_u_2'], 'size': 3, 'source': 'def. (KctrLaw)', 'unit': 'rad'},
-         {'cases': [], 'doc': 'v x nu_e', 'holder': '', 'is_scalar': False, 'lines': [['turn_0',
-         'nu_e_2*v_1 - nu_e_1*v_2'], ['turn_1', 'nu_e_0*v_2 - nu_e_2*v_0'], ['turn_2', 'nu_e_1*v_0 -
-         nu_e_0*v_1']], 'member': '', 'name': 'turn', 'names': ['turn_0', 'turn_1', 'turn_2'],
-         'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'v x (v x nu_e)', 'holder':
-         '', 'is_scalar': False, 'lines': [['bend_0', 'turn_2*v_1 - turn_1*v_2'], ['bend_1',
-         'turn_0*v_2 - turn_2*v_0'], ['bend_2', 'turn_1*v_0 - turn_0*v_1']], 'member': '', 'name':
-         'bend', 'names': ['bend_0', 'bend_1', 'bend_2'], 'size': 3, 'source': '', 'unit': 'rad/s'},
-         {'cases': [], 'doc': 'exact rate of nu_u', 'holder': '', 'is_scalar': False, 'lines':
-         [['nu_u_dot_0', 'nu_e_0 + bend_0*h + k*turn_0'], ['nu_u_dot_1', 'nu_e_1 + bend_1*h +
-         k*turn_1'], ['nu_u_dot_2', 'nu_e_2 + bend_2*h + k*turn_2']], 'member': '', 'name':
-         'nu_u_dot', 'names': ['nu_u_dot_0', 'nu_u_dot_1', 'nu_u_dot_2'], 'size': 3, 'source': '',
-         'unit': 'rad/s'}, {'cases': [], 'doc': 'lambda nu_u', 'holder': '', 'is_scalar': False,
-         'lines': [['drive_0', 'nu_u_0*rate_gain'], ['drive_1', 'nu_u_1*rate_gain'], ['drive_2',
-         'nu_u_2*rate_gain']], 'member': '', 'name': 'drive', 'names': ['drive_0', 'drive_1',
-         'drive_2'], 'size': 3, 'source': '', 'unit': 'rad/s'}, {'cases': [], 'doc': 'sliding
-         variable', 'holder': '', 'is_scalar': False, 'lines': [['s_0', 'drive_0 + nu_e_0'], ['s_1',
-         'drive_1 + nu_e_1'], ['s_2', 'drive_2 + nu_e_2']], 'member': '', 'name': 's', 'names':
-         ['s_0', 's_1', 's_2'], 'size': 3, 'source': 'eq. (SurfaceErr)', 'unit': 'rad/s'}, {'cases':
-         [], 'doc': 'acceleration asked for', 'holder': '', 'is_scalar': False, 'lines':
-         [['wanted_0', 'eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0'], ['wanted_1', 'eta_dot_1
-         - nu_u_dot_1*rate_gain - reach_gain*s_1'], ['wanted_2', 'eta_dot_2 - nu_u_dot_2*rate_gain -
-         reach_gain*s_2']], 'member': '', 'name': 'wanted', 'names': ['wanted_0', 'wanted_1',
-         'wanted_2'], 'size': 3, 'source': '', 'unit': 'rad/s^2'}, {'cases': [], 'doc': 'lambda nu_u
-         - eta', 'holder': '', 'is_scalar': False, 'lines': [['turning_0', 'drive_0 - eta_0'],
-         ['turning_1', 'drive_1 - eta_1'], ['turning_2', 'drive_2 - eta_2']], 'member': '', 'name':
-         'turning', 'names': ['turning_0', 'turning_1', 'turning_2'], 'size': 3, 'source': '',
-         'unit': 'rad/s'}, {'cases': [], 'doc': 'I nu', 'holder': '', 'is_scalar': False, 'lines':
-         [['momentum_0', 'inertia_0*nu_0 + inertia_2*nu_2'], ['momentum_1', 'inertia_3*nu_1'],
-         ['momentum_2', 'inertia_2*nu_0 + inertia_5*nu_2']], 'member': '', 'name': 'momentum',
-         'names': ['momentum_0', 'momentum_1', 'momentum_2'], 'size': 3, 'source': '', 'unit': 'N m
-         s'}, {'cases': [], 'doc': 'control force, I f_u', 'holder': '', 'is_scalar': False,
-         'lines': [['force_0', 'inertia_0*wanted_0 + inertia_2*wanted_2 + momentum_1*turning_2 -
-         momentum_2*turning_1'], ['force_1', 'inertia_3*wanted_1 + momentum_2*turning_0 -
-         momentum_0*turning_2'], ['force_2', 'inertia_2*wanted_0 + inertia_5*wanted_2 +
-         momentum_0*turning_1 - momentum_1*turning_0']], 'member': '', 'name': 'force', 'names':
-         ['force_0', 'force_1', 'force_2'], 'size': 3, 'source': 'eq. (TckCtrl)', 'unit': 'N m'}],
-         'symbol': 'tracking', 'temporaries': 63, 'writes': ['command', 'clearance']}, double
-         precision.
+ * quadrotor_f64: gsmc on S3, law log (the rotation vector), double precision.
  * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
  */
 #include "quadrotor_f64.h"
@@ -147,6 +11,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -155,6 +23,7 @@ const quadrotor_f64_params quadrotor_f64_defaults = {
     {0.0085, 0.0, 0.00012, 0.0088, 0.0, 0.0152},
     6.0, /* lambda */
     1.0e1, /* k_s */
+    {0.8, 0.8, 0.1}, /* force_limit */
     1.0e-6 /* max_drift */
 };
 
@@ -187,7 +56,22 @@ static inline double quadrotor_f64_k(const double w)
     return sum;
 }
 
-static const quadrotor_f64_command quadrotor_f64_nothing = { {0.0}, {0.0}, {0.0}, {0.0} };
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void quadrotor_f64_nothing(quadrotor_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+}
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
         the cut locus. */
@@ -206,16 +90,21 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
     const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
 
+    /* double: twice the vector part [1] */
+    const double double_0 = 2.0*g_e_1;
+    const double double_1 = 2.0*g_e_2;
+    const double double_2 = 2.0*g_e_3;
+
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const double to_body_0 = 1.0 - 2.0*g_e_2*g_e_2 - 2.0*g_e_3*g_e_3;
-    const double to_body_1 = 2.0*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const double to_body_2 = 2.0*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const double to_body_3 = 2.0*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const double to_body_4 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_3*g_e_3;
-    const double to_body_5 = 2.0*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const double to_body_6 = 2.0*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const double to_body_7 = 2.0*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const double to_body_8 = 1.0 - 2.0*g_e_1*g_e_1 - 2.0*g_e_2*g_e_2;
+    const double to_body_0 = 1.0 - double_1*g_e_2 - double_2*g_e_3;
+    const double to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const double to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const double to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const double to_body_4 = 1.0 - double_0*g_e_1 - double_2*g_e_3;
+    const double to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const double to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const double to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const double to_body_8 = 1.0 - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const double eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -235,18 +124,21 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
     const double eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm_square: squared length [1] */
-    const double norm_square = g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+    /* square: square of its vector part [1] */
+    const double square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + g_e_0*g_e_0;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-7) {
-        norm_bounded = 1.0e-7;
+    if (norm_square < 1.0e-8) {
+        norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -255,66 +147,63 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
     /* w: cos of half the error angle [1] */
     const double w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = g_e_1*scale;
-    const double v_1 = g_e_2*scale;
-    const double v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = quadrotor_f64_k(fabs(w));
 
-    /* sine_square: v.v [1] */
-    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    double sine_bounded;
-    if (sine_square < (1.0e-60*1.0e-60)) {
-        sine_bounded = 1.0e-60*1.0e-60;
+    /* divisor: the same, never zero [1] */
+    double divisor;
+    if (w >= 0.0) {
+        divisor = square + 1.0e-17;
+    } else if (square > (1.0e-60*1.0e-60)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 1.0e-60*1.0e-60;
     }
 
-    /* sine: |v| [1] */
-    const double sine = sqrt(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    double distance;
+    if (w >= 0.0) {
+        distance = 1.0;
+    } else {
+        distance = scale*sqrt(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
     } else {
-        k = 3.141592653589793/sine - k_near;
+        k = 3.141592653589793/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw = (1.0 - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    double distance;
-    if (w < 0.0) {
-        distance = sine;
-    } else {
-        distance = 1.0;
-    }
+    /* reach: p by the scale, but for a number [1] */
+    const double reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const double nu_u_0 = 2.0*k*v_0;
-    const double nu_u_1 = 2.0*k*v_1;
-    const double nu_u_2 = 2.0*k*v_2;
+    const double nu_u_0 = g_e_1*stretch;
+    const double nu_u_1 = g_e_2*stretch;
+    const double nu_u_2 = g_e_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const double turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const double turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const double turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const double turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
+    const double turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
+    const double turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const double bend_0 = turn_2*v_1 - turn_1*v_2;
-    const double bend_1 = turn_0*v_2 - turn_2*v_0;
-    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const double bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const double bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const double bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const double nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const double nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const double nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const double nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const double nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -331,10 +220,10 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
@@ -420,18 +309,21 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
     const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm_square: squared length [1] */
-    const double norm_square = g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3;
+    /* square: square of its vector part [1] */
+    const double square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + g_0*g_0;
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-7) {
-        norm_bounded = 1.0e-7;
+    if (norm_square < 1.0e-8) {
+        norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
     }
 
-    /* norm: length [1] */
+    /* norm: its length [1] */
     const double norm = sqrt(norm_bounded);
 
     /* scale: to unit length [1] */
@@ -440,58 +332,63 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
     /* w: cos of half the error angle [1] */
     const double w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const double v_0 = g_1*scale;
-    const double v_1 = g_2*scale;
-    const double v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const double k_near = quadrotor_f64_k(fabs(w));
 
-    /* sine_square: v.v [1] */
-    const double sine_square = v_0*v_0 + v_1*v_1 + v_2*v_2;
-
-    /* sine_bounded: the same, away from -i and i [1] */
-    double sine_bounded;
-    if (sine_square < (1.0e-60*1.0e-60)) {
-        sine_bounded = 1.0e-60*1.0e-60;
+    /* divisor: the same, never zero [1] */
+    double divisor;
+    if (w >= 0.0) {
+        divisor = square + 1.0e-17;
+    } else if (square > (1.0e-60*1.0e-60)) {
+        divisor = square;
     } else {
-        sine_bounded = sine_square;
+        divisor = 1.0e-60*1.0e-60;
     }
 
-    /* sine: |v| [1] */
-    const double sine = sqrt(sine_bounded);
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    double distance;
+    if (w >= 0.0) {
+        distance = 1.0;
+    } else {
+        distance = scale*sqrt(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     double k;
     if (w >= 0.0) {
         k = k_near;
     } else {
-        k = 3.141592653589793/sine - k_near;
+        k = 3.141592653589793/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h = (1.0 - k*w)/sine_bounded;
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw = (1.0 - k*w)/divisor;
+
+    /* reach: p by the scale, but for a number [1] */
+    const double reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const double nu_u_0 = 2.0*k*v_0;
-    const double nu_u_1 = 2.0*k*v_1;
-    const double nu_u_2 = 2.0*k*v_2;
+    const double nu_u_0 = g_1*stretch;
+    const double nu_u_1 = g_2*stretch;
+    const double nu_u_2 = g_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const double turn_0 = nu_2*v_1 - nu_1*v_2;
-    const double turn_1 = nu_0*v_2 - nu_2*v_0;
-    const double turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const double turn_0 = g_2*nu_2 - g_3*nu_1;
+    const double turn_1 = g_3*nu_0 - g_1*nu_2;
+    const double turn_2 = g_1*nu_1 - g_2*nu_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const double bend_0 = turn_2*v_1 - turn_1*v_2;
-    const double bend_1 = turn_0*v_2 - turn_2*v_0;
-    const double bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const double bend_0 = g_2*turn_2 - g_3*turn_1;
+    const double bend_1 = g_3*turn_0 - g_1*turn_2;
+    const double bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const double nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const double nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const double nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const double nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const double nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const double nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const double drive_0 = nu_u_0*rate_gain;
@@ -617,24 +514,53 @@ static quadrotor_f64_status quadrotor_f64_refuse(const quadrotor_f64_state *stat
             quadrotor_f64_inspect(reference->nu, 3, QUADROTOR_F64_MAX_INPUT));
     worst = quadrotor_f64_worse(worst,
             quadrotor_f64_inspect(reference->nu_dot, 3, QUADROTOR_F64_MAX_INPUT));
-    *command = quadrotor_f64_nothing;
+    quadrotor_f64_nothing(command);
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static quadrotor_f64_status quadrotor_f64_verdict(const double clearance,
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
-    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
-            isfinite(command->force[2]))) {
-        *command = quadrotor_f64_nothing;
-        return QUADROTOR_F64_NONFINITE_INPUT;
+    double share = 1.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double size = fabs(command->force[i]);
+        if (size > params->force_limit[i]) {
+            const double part = params->force_limit[i]/size;
+            share = part < share ? part : share;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        const double limit = params->force_limit[i];
+        const double force = command->force[i]*share;
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(fabs(command->force[i]) <= limit)) {
+            quadrotor_f64_nothing(command);
+            return QUADROTOR_F64_NONFINITE_INPUT;
+        }
+    }
+    return QUADROTOR_F64_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static quadrotor_f64_status quadrotor_f64_verdict(const quadrotor_f64_params *params,
+        const double clearance, quadrotor_f64_command *command)
+{
+    quadrotor_f64_status status = QUADROTOR_F64_OK;
+    if (!(fabs(command->force[0]) <= params->force_limit[0]
+            && fabs(command->force[1]) <= params->force_limit[1]
+            && fabs(command->force[2]) <= params->force_limit[2])) {
+        status = quadrotor_f64_saturate(params, command);
+        if (status == QUADROTOR_F64_NONFINITE_INPUT) {
+            return status;
+        }
     }
     if (clearance < QUADROTOR_F64_REFUSED_CUT) {
-        *command = quadrotor_f64_nothing;
+        quadrotor_f64_nothing(command);
         return QUADROTOR_F64_OUT_OF_RANGE;
     }
-    return clearance < QUADROTOR_F64_NEAR_CUT ? QUADROTOR_F64_NEAR_CUT_LOCUS : QUADROTOR_F64_OK;
+    return clearance < QUADROTOR_F64_NEAR_CUT ? QUADROTOR_F64_NEAR_CUT_LOCUS : status;
 }
 
 quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
@@ -686,7 +612,7 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         return quadrotor_f64_refuse(state, reference, QUADROTOR_F64_NOT_ON_GROUP, command);
     }
     clearance = quadrotor_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
-    return quadrotor_f64_verdict(clearance, command);
+    return quadrotor_f64_verdict(params, clearance, command);
 }
 
 quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *params)
@@ -709,6 +635,12 @@ quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *para
     }
     if (!(params->max_drift > 0.0 && params->max_drift <= QUADROTOR_F64_MOST_DRIFT)) {
         return QUADROTOR_F64_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= QUADROTOR_F64_MIN_GAIN && params->force_limit[i] <=
+                QUADROTOR_F64_MAX_PARAM)) {
+            return QUADROTOR_F64_BAD_PARAMS;
+        }
     }
     if (fabs(params->inertia[1]) > 0.0) {
         return QUADROTOR_F64_BAD_PARAMS;
