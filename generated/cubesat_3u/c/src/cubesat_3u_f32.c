@@ -569,13 +569,15 @@ static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
+    float sum;
     share = cubesat_3u_f32_share(share, force[0], limit[0]);
     share = cubesat_3u_f32_share(share, force[1], limit[1]);
     share = cubesat_3u_f32_share(share, force[2], limit[2]);
     force[0] = cubesat_3u_f32_cut(force[0]*share, limit[0]);
     force[1] = cubesat_3u_f32_cut(force[1]*share, limit[1]);
     force[2] = cubesat_3u_f32_cut(force[2]*share, limit[2]);
-    if (!isfinite(force[0] + force[1] + force[2])) { /* one of them was not, or infinite */
+    sum = force[0] + force[1] + force[2];
+    if (!isfinite(sum)) { /* one of them was not, or infinite */
         cubesat_3u_f32_nothing(command);
         return CUBESAT_3U_F32_NONFINITE_INPUT;
     }

@@ -528,13 +528,15 @@ static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *p
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
+    float sum;
     share = quadrotor_f32_share(share, force[0], limit[0]);
     share = quadrotor_f32_share(share, force[1], limit[1]);
     share = quadrotor_f32_share(share, force[2], limit[2]);
     force[0] = quadrotor_f32_cut(force[0]*share, limit[0]);
     force[1] = quadrotor_f32_cut(force[1]*share, limit[1]);
     force[2] = quadrotor_f32_cut(force[2]*share, limit[2]);
-    if (!isfinite(force[0] + force[1] + force[2])) { /* one of them was not, or infinite */
+    sum = force[0] + force[1] + force[2];
+    if (!isfinite(sum)) { /* one of them was not, or infinite */
         quadrotor_f32_nothing(command);
         return QUADROTOR_F32_NONFINITE_INPUT;
     }
