@@ -1044,11 +1044,11 @@ static freeflyer_f32_status freeflyer_f32_refuse(const freeflyer_f32_state *stat
     return worst;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static float freeflyer_f32_cut(const float force, const float limit)
 {
-    const float below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, each coordinate by itself. */

@@ -1081,11 +1081,11 @@ static freeflyer_f64_status freeflyer_f64_refuse(const freeflyer_f64_state *stat
     return worst;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static double freeflyer_f64_cut(const double force, const double limit)
 {
-    const double below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, each coordinate by itself. */
