@@ -233,7 +233,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-0.5490238F, 0.21960953F, -1.6470715F},
          {1.15384428F, -0.0054059084F, 1.8396644F}},
         PAPER_S3_F32_OK, 0xE3D26DD4U,
-        {0.00335F, 8.83e-5F, 2.66e-5F, 5.33e-5F}, {0xE3D26DD4U, 0x47216348U, 0xCA4D4105U}
+        {0.00335F, 8.85e-5F, 2.69e-5F, 5.36e-5F}, {0xE3D26DD4U, 0x47216348U, 0xCA4D4105U}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958F, -0.54885685F, 0.6657934F, -0.315613F},
@@ -246,7 +246,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-0.7033144F, 1.3238861F, -1.323886F},
          {1.1519966F, -1.3086711F, -0.37574745F}},
         PAPER_S3_F32_OK, 0x12F5C381U,
-        {0.00259F, 6.15e-5F, 2.42e-5F, 4.86e-5F}, {0x12F5C381U, 0xD7342642U, 0x18179175U}
+        {0.00261F, 6.22e-5F, 2.56e-5F, 4.99e-5F}, {0x12F5C381U, 0xD7342642U, 0x18179175U}
     },
     { /* error 5 rad, moving reference */
         {{-0.9178705F, -0.17713697F, 0.043684136F, 0.35245976F},
@@ -259,7 +259,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-1.3074409F, -1.1440108F, 1.7977312F},
          {-4.636737F, 6.4106206F, 0.6050409F}},
         PAPER_S3_F32_OK, 0x4E5E0F8FU,
-        {0.00308F, 7.7e-5F, 3.47e-5F, 0.000146F}, {0x4E5E0F8FU, 0x05EB7249U, 0x4F0D9DBDU}
+        {0.00324F, 8.14e-5F, 4.67e-5F, 0.000189F}, {0x4E5E0F8FU, 0x05EB7249U, 0x4F0D9DBDU}
     },
     { /* error 6 rad, moving reference */
         {{-0.89542323F, -0.43475807F, 0.06112049F, 0.07393868F},
@@ -272,7 +272,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-1.5969899F, 1.3840583F, 2.12932054F},
          {-17.909544F, 14.513272F, -22.8204675F}},
         PAPER_S3_F32_OK, 0x78A0C7EAU,
-        {0.012F, 0.000101F, 9.22e-5F, 0.00189F}, {0x78A0C7EAU, 0xE8EF3DFDU, 0xD9323350U}
+        {0.0195F, 0.000166F, 0.000222F, 0.00328F}, {0x78A0C7EAU, 0xE8EF3DFDU, 0xD9323350U}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F},
@@ -324,7 +324,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.3637476F, 1.4351325F, 0.084419558F},
          {-1.4221307F, 1.6769171F, -0.9379327F}},
         PAPER_S3_F32_OK, 0xA04480F9U,
-        {0.00458F, 6.63e-5F, 5.09e-5F, 0.000287F}, {0xA04480F9U, 0xD034F57DU, 0x482F4420U}
+        {0.00501F, 8.53e-5F, 9.18e-5F, 0.000316F}, {0xA04480F9U, 0xD034F57DU, 0x482F4420U}
     },
     { /* error 1e-2 rad before the cut, moving reference */
         {{-0.9317752F, 0.25675842F, 0.25111696F, -0.053013064F},
@@ -337,7 +337,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-2.9465714F, -0.34000356F, -1.0199647F},
          {-136.88323F, -177.96166F, 458.3479F}},
         PAPER_S3_F32_OK, 0x2B9E49D9U,
-        {6.25F, 0.00107F, 0.00203F, 1.3F}, {0x2B9E49D9U, 0x661B1379U, 0xD4224255U}
+        {10.6F, 0.00401F, 0.00789F, 2.22F}, {0x2B9E49D9U, 0x661B1379U, 0xD4224255U}
     },
     { /* error 1e-3 rad before the cut, moving reference */
         {{-0.9303609F, -0.36215538F, 0.04049867F, -0.040396776F},
@@ -350,7 +350,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-2.1939816F, 1.4042296F, -1.7552912F},
          {-4551.3124F, 3351.0083F, 8370.463F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x1F7ED619U,
-        {752.0F, 0.0101F, 0.02F, 158.0F}, {0x1F7ED619U, 0xB28968BEU, 0x375C8E49U}
+        {1.54e3F, 0.032F, 0.0639F, 325.0F}, {0x1F7ED619U, 0xB28968BEU, 0x375C8E49U}
     },
     { /* error 1e-3 rad beyond the cut, moving reference */
         {{-0.930657F, -0.3126028F, -0.18983853F, -0.01087867F},
@@ -363,7 +363,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {1.9173297F, 1.6776256F, 1.8373574F},
          {-1895.5851F, 2387.862F, -201.362157F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0xD5BA238FU,
-        {764.0F, 0.0101F, 0.02F, 1.6e2F}, {0xD5BA238FU, 0xE9B48074U, 0xDE2D3C53U}
+        {914.0F, 0.0292F, 0.0583F, 208.0F}, {0xD5BA238FU, 0xE9B48074U, 0xDE2D3C53U}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775F, 0.26350504F, 0.25352886F, -0.04662418F},
@@ -376,7 +376,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.4384876F, 0.15731863F, 1.9665306F},
          {312.04803F, 858.6318F, -453.8993F}},
         PAPER_S3_F32_OK, 0xF83A3F35U,
-        {6.36F, 0.00107F, 0.00202F, 1.33F}, {0xF83A3F35U, 0xDBA1DF72U, 0x19D67DD6U}
+        {13.4F, 0.00348F, 0.00688F, 3.04F}, {0xF83A3F35U, 0xDBA1DF72U, 0x19D67DD6U}
     },
     { /* error 1e-5 rad before the cut, moving reference */
         {{-0.9305065F, -0.36183575F, 0.040204905F, -0.040200055F},
@@ -389,7 +389,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-1.9054513F, 1.6664404F, 1.8605926F},
          {-433779.24F, -398953.1F, -86913.59F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x20E29D46U,
-        {5.29e6F, 1.0F, 2.01F, 1.11e6F}, {0x20E29D46U, 0xA868C8F2U, 0x04D076BDU}
+        {8.39e6F, 2.92F, 5.83F, 1.98e6F}, {0x20E29D46U, 0xA868C8F2U, 0x04D076BDU}
     },
     { /* error 1e-5 rad beyond the cut, moving reference */
         {{-0.93050903F, -0.3129369F, -0.18999583F, -0.011179084F},
@@ -402,7 +402,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.0826962F, 1.4365913F, -1.8622983F},
          {138523.461F, -135667.27F, 50263.58786F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0xC28F42A5U,
-        {6.54e6F, 0.998F, 2.0F, 1.37e6F}, {0xC28F42A5U, 0xE7176C75U, 0x88014419U}
+        {7.22e6F, 3.08F, 6.16F, 1.65e6F}, {0xC28F42A5U, 0xE7176C75U, 0x88014419U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.00049999997F, 0.0F, 0.0F},
@@ -415,7 +415,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {3.14109265F, 0.0F, 0.0F},
          {0.25F, 1766.37373F, -982.47484F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0xC77011B3U,
-        {108.0F, 0.01F, 0.02F, 22.5F}, {0xC77011B3U, 0x1DF8233AU, 0xCB4DB883U}
+        {253.0F, 0.0414F, 0.0828F, 57.8F}, {0xC77011B3U, 0x1DF8233AU, 0xCB4DB883U}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999999F, 0.0F, -0.00049999997F, 0.0F},
@@ -428,7 +428,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.0F, -3.14109265F, 0.0F},
          {-1767.159F, 0.59375F, -588.0714F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x39CA9F51U,
-        {227.0F, 0.01F, 0.02F, 47.5F}, {0x39CA9F51U, 0x2947229AU, 0xB7B7D9BEU}
+        {285.0F, 0.0414F, 0.0828F, 82.8F}, {0x39CA9F51U, 0x2947229AU, 0xB7B7D9BEU}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.0F, 0.0F, 0.00049999997F},
@@ -441,7 +441,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.0F, 0.0F, 3.14109265F},
          {-1960.5325F, 5301.575F, -0.25F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x90259616U,
-        {322.0F, 0.01F, 0.02F, 67.6F}, {0x90259616U, 0x90259616U, 0x07F56196U}
+        {759.0F, 0.0414F, 0.0828F, 174.0F}, {0x90259616U, 0x90259616U, 0x07F56196U}
     },
     { /* error 1 rad, moving reference */
         {{0.9265358F, 0.043290246F, -0.03143325F, 0.3723834F},
