@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from typing import Any
 
 import numpy as np
 import pytest
@@ -83,7 +84,7 @@ def test_the_hash_is_fnv(text: str, found: int) -> None:
 
 @pytest.mark.parametrize("scalar", ["f32", "f64"])
 def test_a_number_is_written_so_that_it_reads_back(scalar: str) -> None:
-    kind = {"f32": np.float32, "f64": np.float64}[scalar]
+    kind: Any = {"f32": np.float32, "f64": np.float64}[scalar]
     random = np.random.default_rng(5)
     spread = random.normal(size=2000) * 10.0 ** random.integers(-40, 38, 2000)
     for value in (0.0, -0.0, 0.1, 1e-45, 3.0, *spread):
