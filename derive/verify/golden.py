@@ -83,9 +83,15 @@ def _rows(vehicle: Plant, is_pole: bool, scalar: str) -> list[Row]:
 
 
 def _good(vehicle: Plant, rung: Rung, place: int, is_pole: bool, kind: Scalar) -> Row | None:
-    """What `control` makes of a rung; None where rounding decides between two statuses."""
+    """What `control` makes of a rung; None where rounding decides between two statuses.
+
+    None too at -i itself, where the truth knows of no rate, not even a smooth law's.
+    """
     given = _given(vehicle, rung, place, kind.name)
-    found = {} if is_pole else _truth(vehicle, given)
+    try:
+        found = {} if is_pole else _truth(vehicle, given)
+    except ZeroDivisionError:
+        return None
     off = clearance(vehicle, turns(vehicle, found) if found else _turns(vehicle, given))
     margins = [kind.near_cut, *([kind.refused] if is_pole else [])]
     if any(abs(off / float(margin) - 1) < UNSURE for margin in margins):

@@ -22,8 +22,10 @@ PAPER = BY_NAME["paper_so3"]
 FREE = next(v for v in STEERED if v.controller == "reaching" and v.group == "S3")
 """A controller without a reference."""
 
-OTHERS = tuple(v for v in GUARDED if v.name in ("so3_gibbs_gsmc_full", "s3_sign_vec_gsmc_full"))
-"""Laws with another pole, and another cut, than those of the vehicle files."""
+OTHERS = tuple(v for v in GUARDED if v.name in (
+    *("so3_gibbs_gsmc_full", "s3_sign_vec_gsmc_full", "s3_vec_gsmc_full", "r3_log_gsmc_full"),
+))  # fmt: skip
+"""Laws with another pole, another cut or none than those of the vehicle files."""
 
 BOTH = ("paper_so3", "underwater")
 """Vehicles that every compiler is asked about."""
