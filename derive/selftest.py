@@ -68,8 +68,9 @@ def tables(
         return {}
     return {
         scalar: selftest(
-            data, found["programs"][scalar], _rows(vehicle, found, scalar, values), values, scalar
-        )
+            data, found["programs"][scalar], _rows(vehicle, found, scalar, values),
+            found["identity"], values, scalar,
+        )  # fmt: skip
         for scalar, data in printed.items()
     }
 
@@ -78,7 +79,7 @@ def _rows(
     vehicle: Vehicle, found: Mapping[str, Any], scalar: str, values: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
     """The kept rows, each with what is true of its command for this inertia and these gains."""
-    limits = Limits(values.get("force_limit", ()), values.get("saturation", "") == "direction")
+    limits = Limits(values["force_limit"], values["saturation"] == "direction")
     told = answers(
         found, scalar, vehicle.controller, vehicle.inertia, vehicle.gains, limits,
         is_own=vehicle.own is not None,

@@ -46,12 +46,13 @@ def is_known(vehicle: Plant) -> bool:
 
 
 def golden(vehicle: Plant, *, is_pole: bool, scalars: Sequence[str]) -> dict[str, Any]:
-    """Rows by scalar, and the bracket as [i, j, k, c]: [E_i, E_j] has c E_k in it.
+    """Rows by scalar, the identity, and the bracket as [i, j, k, c]: [E_i, E_j] has c E_k in it.
 
     vehicle: its inertia and gains are not looked at; is_pole: whether its law has a pole
     """
     return {
         "bracket": _bracket(vehicle),
+        "identity": [float(x) for x in element(vehicle, Rung("0", False), 0, is_moving=False)[1]],
         "rows": {scalar: _rows(vehicle, is_pole, scalar) for scalar in scalars},
     }
 

@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0F/0.0F)
 #define INFINITE (1.0F/0.0F)
 
+#define LARGEST 3.4028235e38F
+#define SHARES 32 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0xC655FF85U /* of a command that is zero */
@@ -38,7 +41,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.081682985F, -0.22171101F, -0.081683F},
          {-542.30631F, -288.79783F, -30.426505F}},
         PAPER_S3_F32_OK, 0x81567682U,
-        {613.0F, 0.0283F, 1.22e-5F, 0.0237F}, {0x81567682U, 0xDA06C2D4U, 0xB8366402U}
+        {613.0F, 0.0283F, 1.22e-5F, 0.0237F}, {0x81567682U, 0x9865CFD5U, 0xB8366402U}
     },
     { /* error 0 rad, at rest */
         {{1.0F, 0.0F, 0.0F, 0.0F},
@@ -77,7 +80,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.0F, 0.0F, 0.0F},
          {-0.53125F, -0.84375F, -0.125F}},
         PAPER_S3_F32_OK, 0x7DB62CA2U,
-        {0.00287F, 5.5e-5F, 1.0e-5F, 4.16e-5F}, {0x7DB62CA2U, 0x30D42307U, 0x2BAF7EFAU}
+        {0.00287F, 5.5e-5F, 1.0e-5F, 4.16e-5F}, {0x7DB62CA2U, 0x94D411CEU, 0x2BAF7EFAU}
     },
     { /* error 1e-12 rad, moving reference */
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
@@ -90,7 +93,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.0F, 0.0F, 0.0F},
          {-1.0F, 0.03125F, 1.25F}},
         PAPER_S3_F32_OK, 0xFD94367BU,
-        {0.00199F, 5.75e-5F, 1.0e-5F, 4.0e-5F}, {0xFD94367BU, 0x1EF75AFFU, 0x7DF2A951U}
+        {0.00199F, 5.75e-5F, 1.0e-5F, 4.0e-5F}, {0xFD94367BU, 0xAC0DA8EAU, 0x7DF2A951U}
     },
     { /* error 1e-8 rad, moving reference */
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.050457064F},
@@ -103,7 +106,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {9.39836e-10F, -9.7116385e-10F, 3.4664111e-9F},
          {-1.25F, 0.625F, 0.46875F}},
         PAPER_S3_F32_OK, 0xFF7A2EE7U,
-        {0.00206F, 5.5e-5F, 1.0e-5F, 3.75e-5F}, {0xFF7A2EE7U, 0xAD948BF9U, 0xA9B22A37U}
+        {0.00206F, 5.5e-5F, 1.0e-5F, 3.75e-5F}, {0xFF7A2EE7U, 0xA56B82F7U, 0xA9B22A37U}
     },
     { /* error 1e-4 rad, moving reference */
         {{0.9305077F, 0.3618247F, -0.04023896F, 0.040238097F},
@@ -115,8 +118,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-2.93757904F, -1.99986323F, -0.31242473F},
          {-7.537597e-6F, -2.007516e-5F, 4.516772e-5F},
          {-1.468739335F, -0.9999941F, -0.1562456F}},
-        PAPER_S3_F32_OK, 0xA2193021U,
-        {0.0024F, 6.44e-5F, 1.0e-5F, 4.47e-5F}, {0xA2193021U, 0xFB17163CU, 0x269E959BU}
+        PAPER_S3_F32_OK, 0xB138748CU,
+        {0.0024F, 6.44e-5F, 1.0e-5F, 4.47e-5F}, {0xB138748CU, 0x0DFE72A0U, 0x93231D0CU}
     },
     { /* error 1e-2 rad, moving reference */
         {{0.9300599F, 0.31316695F, 0.19147159F, 0.015928138F},
@@ -128,8 +131,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.6325276F, -0.26253182F, -1.6116883F},
          {-0.00053453845F, 0.0029398613F, 0.004008919F},
          {0.31455263F, -0.13116637F, -0.8077043F}},
-        PAPER_S3_F32_OK, 0x70A232C8U,
-        {0.00229F, 5.49e-5F, 1.0e-5F, 4.18e-5F}, {0x70A232C8U, 0xFBC9C02DU, 0xB001769FU}
+        PAPER_S3_F32_OK, 0xCF6F7041U,
+        {0.00229F, 5.49e-5F, 1.0e-5F, 4.18e-5F}, {0xCF6F7041U, 0xFBC9C02DU, 0xC4E7F241U}
     },
     { /* error 0.1 rad, moving reference */
         {{0.9164985F, -0.26534927F, -0.2878049F, 0.08239319F},
@@ -181,7 +184,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-0.16091968F, -0.6704986F, -0.2950194F},
          {2.2041778F, 0.026325388F, 0.6952771F}},
         PAPER_S3_F32_OK, 0xCFE9CD12U,
-        {0.00431F, 8.19e-5F, 1.67e-5F, 6.02e-5F}, {0xCFE9CD12U, 0xF46F65AFU, 0x70576777U}
+        {0.00431F, 8.19e-5F, 1.67e-5F, 6.02e-5F}, {0xCFE9CD12U, 0xA2C5F4B6U, 0x70576777U}
     },
     { /* error 2 rad, moving reference */
         {{0.73716396F, -0.31159878F, 0.29741392F, -0.52061546F},
@@ -193,8 +196,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.444926F, -1.2569574F, -2.5963892F},
          {-0.67221402F, 0.1551263F, -0.7239228F},
          {0.29169148F, -2.198816F, -0.42506693F}},
-        PAPER_S3_F32_OK, 0x7DBBF870U,
-        {0.00251F, 6.37e-5F, 1.72e-5F, 4.95e-5F}, {0x7DBBF870U, 0x4F130911U, 0x355D71D7U}
+        PAPER_S3_F32_OK, 0xB6EC70A9U,
+        {0.00251F, 6.37e-5F, 1.72e-5F, 4.95e-5F}, {0xB6EC70A9U, 0x4F130911U, 0x379FAFF2U}
     },
     { /* error 2.5 rad, moving reference */
         {{0.2855619F, -0.3625979F, 0.86883837F, -0.17915638F},
@@ -206,8 +209,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {3.1101897F, 1.9962373F, 1.0398349F},
          {-0.5045046F, 0.9249251F, -0.6726728F},
          {1.964165F, -0.6735003F, -1.50465535F}},
-        PAPER_S3_F32_OK, 0x278B48D4U,
-        {0.00333F, 7.36e-5F, 1.92e-5F, 5.21e-5F}, {0x278B48D4U, 0x88B835DDU, 0x5A02336EU}
+        PAPER_S3_F32_OK, 0x7DCD2A65U,
+        {0.00333F, 7.36e-5F, 1.92e-5F, 5.21e-5F}, {0x7DCD2A65U, 0xF7E01B2AU, 0x5A02336EU}
     },
     { /* error 3 rad, moving reference */
         {{-0.09510509F, -0.099580556F, -0.67351097F, -0.7262381F},
@@ -232,8 +235,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.6900417F, 0.09566017F, 3.3030604F},
          {-0.5490238F, 0.21960953F, -1.6470715F},
          {1.15384428F, -0.0054059084F, 1.8396644F}},
-        PAPER_S3_F32_OK, 0xE3D26DD4U,
-        {0.00335F, 8.85e-5F, 2.69e-5F, 5.36e-5F}, {0xE3D26DD4U, 0x47216348U, 0xCA4D4105U}
+        PAPER_S3_F32_OK, 0x1B7D014FU,
+        {0.00335F, 8.85e-5F, 2.69e-5F, 5.36e-5F}, {0x1B7D014FU, 0x47216348U, 0xCA4D4105U}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958F, -0.54885685F, 0.6657934F, -0.315613F},
@@ -258,8 +261,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.616678F, -2.0859974F, 2.1093423F},
          {-1.3074409F, -1.1440108F, 1.7977312F},
          {-4.636737F, 6.4106206F, 0.6050409F}},
-        PAPER_S3_F32_OK, 0x4E5E0F8FU,
-        {0.00324F, 8.14e-5F, 4.67e-5F, 0.000189F}, {0x4E5E0F8FU, 0x05EB7249U, 0x4F0D9DBDU}
+        PAPER_S3_F32_OK, 0xC3F71B25U,
+        {0.00324F, 8.14e-5F, 4.67e-5F, 0.000189F}, {0xC3F71B25U, 0x05EB7249U, 0x4987AB25U}
     },
     { /* error 6 rad, moving reference */
         {{-0.89542323F, -0.43475807F, 0.06112049F, 0.07393868F},
@@ -271,8 +274,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {1.1102804F, -0.29860533F, 3.2307791F},
          {-1.5969899F, 1.3840583F, 2.12932054F},
          {-17.909544F, 14.513272F, -22.8204675F}},
-        PAPER_S3_F32_OK, 0x78A0C7EAU,
-        {0.0195F, 0.000166F, 0.000222F, 0.00328F}, {0x78A0C7EAU, 0xE8EF3DFDU, 0xD9323350U}
+        PAPER_S3_F32_OK, 0x091B9A17U,
+        {0.0195F, 0.000166F, 0.000222F, 0.00328F}, {0x091B9A17U, 0xE8EF3DFDU, 0xC7177FE6U}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F},
@@ -362,8 +365,8 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.1465997F, 0.5899086F, 1.5422244F},
          {1.9173297F, 1.6776256F, 1.8373574F},
          {-1895.5851F, 2387.862F, -201.362157F}},
-        PAPER_S3_F32_NEAR_CUT_LOCUS, 0xD5BA238FU,
-        {914.0F, 0.0292F, 0.0583F, 208.0F}, {0xD5BA238FU, 0xE9B48074U, 0xDE2D3C53U}
+        PAPER_S3_F32_NEAR_CUT_LOCUS, 0x78B715D0U,
+        {914.0F, 0.0292F, 0.0583F, 208.0F}, {0x78B715D0U, 0xE9B48074U, 0x1EE44E51U}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775F, 0.26350504F, 0.25352886F, -0.04662418F},
@@ -384,12 +387,12 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {0.625F, -1.625F, -0.25F},
          {0.4375F, -1.6875F, -0.5625F}},
-        {{774175.15F, 1719381.5F, 447552.66F},
-         {-0.70273394F, 3.083218F, 2.3052898F},
-         {-1.9054513F, 1.6664404F, 1.8605926F},
-         {-433779.24F, -398953.1F, -86913.59F}},
-        PAPER_S3_F32_NEAR_CUT_LOCUS, 0x20E29D46U,
-        {8.39e6F, 2.92F, 5.83F, 1.98e6F}, {0x20E29D46U, 0xA868C8F2U, 0x04D076BDU}
+        {{0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F}},
+        PAPER_S3_F32_OUT_OF_RANGE, 0xC655FF85U,
+        {0.0F, 0.0F, 0.0F, 0.0F}, {0U, 0U, 0U}
     },
     { /* error 1e-5 rad beyond the cut, moving reference */
         {{-0.93050903F, -0.3129369F, -0.18999583F, -0.011179084F},
@@ -397,12 +400,12 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {1.6875F, -1.625F, 0.4375F},
          {-0.875F, -1.625F, 1.125F}},
-        {{-258203.47F, 592983.0F, -242236.13F},
-         {-0.20864424F, 0.59330857F, -0.36863062F},
-         {2.0826962F, 1.4365913F, -1.8622983F},
-         {138523.461F, -135667.27F, 50263.58786F}},
-        PAPER_S3_F32_NEAR_CUT_LOCUS, 0xC28F42A5U,
-        {7.22e6F, 3.08F, 6.16F, 1.65e6F}, {0xC28F42A5U, 0xE7176C75U, 0x88014419U}
+        {{0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F}},
+        PAPER_S3_F32_OUT_OF_RANGE, 0xC655FF85U,
+        {0.0F, 0.0F, 0.0F, 0.0F}, {0U, 0U, 0U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.00049999997F, 0.0F, 0.0F},
@@ -760,56 +763,62 @@ int paper_s3_f32_failures(const paper_s3_f32_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const paper_s3_f32_params *params)
 {
     return paper_s3_f32_check_params(params) != PAPER_S3_F32_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const paper_s3_f32_params *params, float *number, float below,
+        float least, float most)
 {
-    static const float spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*PAPER_S3_F32_MAX_PARAM,
-        -1.0F, 0.0F /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    paper_s3_f32_params params = paper_s3_f32_defaults;
-    int failures = paper_s3_f32_check_params(&params) != PAPER_S3_F32_OK;
+    const float spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*most, -most, below};
+    const float good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = paper_s3_f32_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = paper_s3_f32_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = paper_s3_f32_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = paper_s3_f32_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const paper_s3_f32_case *const one = &paper_s3_f32_cases[0];
+    static const float spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*PAPER_S3_F32_MAX_PARAM, -2.0F*PAPER_S3_F32_MAX_PARAM
+    };
     paper_s3_f32_params params = paper_s3_f32_defaults;
-    paper_s3_f32_command command;
-    paper_s3_f32_status status;
-    params.inertia[0] = INFINITE;
-    status = paper_s3_f32_control(&params, &one->state, &one->reference, &command);
-    return (status != PAPER_S3_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = paper_s3_f32_check_params(&params) != PAPER_S3_F32_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = paper_s3_f32_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, PAPER_S3_F32_MIN_GAIN/2.0F,
+            PAPER_S3_F32_MIN_GAIN,
+            PAPER_S3_F32_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, PAPER_S3_F32_MIN_GAIN/2.0F,
+            PAPER_S3_F32_MIN_GAIN,
+            PAPER_S3_F32_MAX_RATE);
+    failures += range_failures(&params, &params.max_drift, 0.0F, PAPER_S3_F32_MOST_DRIFT/1024.0F,
+            PAPER_S3_F32_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -paper_s3_f32_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = paper_s3_f32_defaults.inertia[diagonal[i]];
+    }
+    return failures;
 }
 
 /* No pointer may be null; a build with PAPER_S3_CHECK_POINTERS finds those that are. */
@@ -832,10 +841,128 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    paper_s3_f32_params params;
+    paper_s3_f32_state state;
+    paper_s3_f32_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const paper_s3_f32_state state = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F}
+    };
+    static const paper_s3_f32_reference reference = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F},
+        {0.0F}
+    };
+    one->params = paper_s3_f32_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, float size)
+{
+    one->reference.nu_dot[i] = 8.0F*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, paper_s3_f32_status wanted)
+{
+    paper_s3_f32_command command;
+    const paper_s3_f32_status status = paper_s3_f32_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < PAPER_S3_F32_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, float *numbers, int count)
+{
+    static const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_S3_F32_MAX_INPUT, -2.0F*PAPER_S3_F32_MAX_REACH
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const float good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? PAPER_S3_F32_NONFINITE_INPUT :
+                    PAPER_S3_F32_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, float *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const float good = g[i];
+        g[i] = is_bounded[i] ? 2.0F : good;
+        failures += is_bounded[i] && !is_told(one, PAPER_S3_F32_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, PAPER_S3_F32_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0F/2.0F);
+        failures += !is_told(&one, PAPER_S3_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const paper_s3_f32_case hollow = {
+        .bare = {0xC655FF85U, 0xC655FF85U, 0xE23C62B5U}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
 int paper_s3_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
     for (i = 0; i < PAPER_S3_F32_CASES; i++) {
         failures += paper_s3_f32_failures(&paper_s3_f32_cases[i]);
     }

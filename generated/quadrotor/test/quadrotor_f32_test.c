@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0F/0.0F)
 #define INFINITE (1.0F/0.0F)
 
+#define LARGEST 3.4028235e38F
+#define SHARES 32 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0xC655FF85U /* of a command that is zero */
@@ -33,12 +36,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {9.6e2F, -192.0F, -736.0F},
          {-224.0F, 288.0F, 6.4e2F}},
-        {{-11504.375F, 19541.093F, -14404.217F},
+        {{-0.07986811F, 0.1356623F, -0.1F},
          {-1003.6201F, -654.607F, 219.98844F},
          {0.16336597F, -0.44342201F, -0.163366F},
          {-1084.61262F, -577.59567F, -60.85301F}},
-        QUADROTOR_F32_OK, 0x7E84E3C3U,
-        {0.864F, 0.0284F, 1.44e-5F, 0.0291F}, {0x7E84E3C3U, 0xFCCA43C5U, 0xF3E1CBC4U}
+        QUADROTOR_F32_SATURATED, 0xC22A0B30U,
+        {0.864F, 0.0284F, 1.44e-5F, 0.0291F}, {0x7E84E3C3U, 0xFD0CE244U, 0x687A8623U}
     },
     { /* error 0 rad, at rest */
         {{1.0F, 0.0F, 0.0F, 0.0F},
@@ -46,12 +49,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{1.0F, 0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F}},
-        {{0.17348F, 0.0616F, 0.44320001F},
+        {{0.0391426F, 0.013898917F, 0.1F},
          {-1.25F, -0.4375F, -1.8125F},
          {0.0F, 0.0F, 0.0F},
          {-1.25F, -0.4375F, -1.8125F}},
-        QUADROTOR_F32_OK, 0x7ADB8EAEU,
-        {1.97e-5F, 9.63e-5F, 1.0e-5F, 3.63e-5F}, {0x7ADB8EAEU, 0x7ADB8EAEU, 0x9B2D407CU}
+        QUADROTOR_F32_SATURATED, 0x94561AC8U,
+        {1.97e-5F, 9.63e-5F, 1.0e-5F, 3.63e-5F}, {0x7ADB8EAEU, 0x7ADB8EAEU, 0x386115E8U}
     },
     { /* error 1e-30 rad, at rest */
         {{1.0F, 1.4279886e-32F, 3.9983683e-31F, -2.9987764e-31F},
@@ -59,12 +62,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{1.0F, 0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F}},
-        {{0.16522F, -0.176F, 0.47348001F},
+        {{0.034894823F, -0.03717158F, 0.1F},
          {-1.1875F, 1.25F, -1.9375F},
          {2.8559773e-32F, 7.996737e-31F, -5.9975527e-31F},
          {-1.1875F, 1.25F, -1.9375F}},
-        QUADROTOR_F32_OK, 0x5A4BD373U,
-        {2.09e-5F, 9.88e-5F, 1.0e-5F, 3.87e-5F}, {0x5A4BD373U, 0x5A4BD373U, 0x8B89DBE2U}
+        QUADROTOR_F32_SATURATED, 0xB69E4491U,
+        {2.09e-5F, 9.88e-5F, 1.0e-5F, 3.87e-5F}, {0x5A4BD373U, 0x5A4BD373U, 0x4CFFDF29U}
     },
     { /* error 0 rad, moving reference */
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
@@ -77,7 +80,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {0.0F, 0.0F, 0.0F},
          {-1.0625F, -1.6875F, -0.25F}},
         QUADROTOR_F32_OK, 0xC972F81FU,
-        {2.23e-5F, 0.00011F, 1.0e-5F, 5.0e-5F}, {0xC972F81FU, 0x1F47BB72U, 0x28AA4787U}
+        {2.23e-5F, 0.00011F, 1.0e-5F, 5.0e-5F}, {0xC972F81FU, 0x0FEF8448U, 0x28AA4787U}
     },
     { /* error 1e-12 rad, moving reference */
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
@@ -85,12 +88,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {0.4375F, 0.0625F, -1.1875F},
          {1.5F, -1.6875F, -1.25F}},
-        {{0.2843187F, -0.0054366398F, -0.61933524F},
+        {{0.045907074F, -0.0008778186F, -0.1F},
          {-2.0F, 0.0625F, 2.5F},
          {0.0F, 0.0F, 0.0F},
          {-2.0F, 0.0625F, 2.5F}},
-        QUADROTOR_F32_OK, 0x2CF0D765U,
-        {2.49e-5F, 0.000113F, 1.0e-5F, 5.25e-5F}, {0x2CF0D765U, 0x173E5556U, 0x3AE0B3B8U}
+        QUADROTOR_F32_SATURATED, 0xE015C336U,
+        {2.49e-5F, 0.000113F, 1.0e-5F, 5.25e-5F}, {0x2CF0D765U, 0x252E20C6U, 0xEAB6E897U}
     },
     { /* error 1e-8 rad, moving reference */
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.050457064F},
@@ -98,12 +101,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {1.0F, 0.0625F, 0.1875F},
          {-1.125F, 0.375F, 0.6875F}},
-        {{0.3262865F, -0.2043603F, -0.179192667F},
+        {{0.18208698F, -0.114045021F, -0.1F},
          {-2.5F, 1.25F, 0.93750004F},
          {1.879672e-9F, -1.9423277e-9F, 6.9328221e-9F},
          {-2.5F, 1.25F, 0.9375F}},
-        QUADROTOR_F32_OK, 0xC5886553U,
-        {2.13e-5F, 0.00011F, 1.0e-5F, 5.0e-5F}, {0xC5886553U, 0x7F70D38AU, 0x71F5A041U}
+        QUADROTOR_F32_SATURATED, 0xB0EB2E6EU,
+        {2.13e-5F, 0.00011F, 1.0e-5F, 5.0e-5F}, {0xC5886553U, 0x170856E3U, 0x4262141DU}
     },
     { /* error 1e-4 rad, moving reference */
         {{0.9305077F, 0.3618247F, -0.04023896F, 0.040238097F},
@@ -116,7 +119,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {-1.5075194e-5F, -4.015032e-5F, 9.033544e-5F},
          {-2.9374787F, -1.9999882F, -0.3124912F}},
         QUADROTOR_F32_OK, 0x81BA2316U,
-        {2.15e-5F, 0.000119F, 1.0e-5F, 5.94e-5F}, {0x81BA2316U, 0xA894A636U, 0x2E666517U}
+        {2.15e-5F, 0.000119F, 1.0e-5F, 5.94e-5F}, {0x81BA2316U, 0xEB001820U, 0x2E666517U}
     },
     { /* error 1e-2 rad, moving reference */
         {{0.9300599F, 0.31316695F, 0.19147159F, 0.015928138F},
@@ -124,12 +127,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {-2.0F, 0.4375F, 1.9375F},
          {1.125F, 0.0625F, -0.8125F}},
-        {{-0.07580639F, 0.0039680125F, 0.37721154F},
+        {{-0.02009652F, 0.001051933F, 0.1F},
          {0.6263804F, -0.2287234F, -1.5655857F},
          {-0.0010690769F, 0.0058797227F, 0.008017838F},
          {0.62910526F, -0.26233274F, -1.6154086F}},
-        QUADROTOR_F32_OK, 0x357D9756U,
-        {2.48e-5F, 0.00011F, 1.01e-5F, 4.99e-5F}, {0x357D9756U, 0xD3AD17E5U, 0x1BFCC7F9U}
+        QUADROTOR_F32_SATURATED, 0xE53BD799U,
+        {2.48e-5F, 0.00011F, 1.01e-5F, 4.99e-5F}, {0x14153296U, 0xD3AD17E5U, 0xC565BD52U}
     },
     { /* error 0.1 rad, moving reference */
         {{0.9164985F, -0.26534927F, -0.2878049F, 0.08239319F},
@@ -137,12 +140,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {-1.4375F, 0.4375F, -0.875F},
          {-0.1875F, 0.625F, 0.3125F}},
-        {{0.05951192F, -0.06422065F, -0.14392192F},
+        {{0.0413501433F, -0.04462187F, -0.1F},
          {-0.344371454F, 0.39542934F, 0.63564885F},
          {-0.003438071F, -0.089389813F, 0.044694922F},
          {-0.36070146F, 0.92487837F, 0.3508567F}},
-        QUADROTOR_F32_OK, 0x8072B05FU,
-        {2.33e-5F, 0.000107F, 1.09e-5F, 4.17e-5F}, {0x8072B05FU, 0xAE1CD701U, 0xDF7A3796U}
+        QUADROTOR_F32_SATURATED, 0x1ECA6CDEU,
+        {2.33e-5F, 0.000107F, 1.09e-5F, 4.17e-5F}, {0x8072B05FU, 0xAE1CD701U, 0xD0CEF69FU}
     },
     { /* error 0.5 rad, moving reference */
         {{0.95951253F, 0.18491767F, -0.21184358F, 0.016231278F},
@@ -150,12 +153,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {-0.9375F, 0.4375F, 0.3125F},
          {-1.5F, 1.1875F, 2.0F}},
-        {{0.29632451F, 0.36162003F, 0.3063403F},
+        {{0.0967305F, 0.1180452F, 0.1F},
          {-3.239431F, -3.198113F, -0.7386374F},
          {-0.36980016F, -0.3235751F, 0.09245004F},
          {-0.7525056F, -1.5346815F, -1.1939077F}},
-        QUADROTOR_F32_OK, 0xC2C1384CU,
-        {2.43e-5F, 0.000119F, 1.37e-5F, 4.22e-5F}, {0xC2C1384CU, 0xC837207DU, 0x6A8B2940U}
+        QUADROTOR_F32_SATURATED, 0x1D0F2DD3U,
+        {2.43e-5F, 0.000119F, 1.37e-5F, 4.22e-5F}, {0xC2C1384CU, 0xC837207DU, 0x815F48B8U}
     },
     { /* error 1 rad, moving reference */
         {{0.78517807F, 0.23517676F, 0.35995656F, 0.44566643F},
@@ -163,12 +166,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {-0.375F, 0.875F, 1.5F},
          {1.25F, 1.75F, -0.9375F}},
-        {{0.32212385F, -0.203119445F, -0.20825268F},
+        {{0.15467933F, -0.097535093F, -0.1F},
          {-2.3844592F, 3.402489F, 2.21808468F},
          {-0.22429452F, 0.6728834F, 0.7049255F},
          {-1.37300404F, -1.264629F, -1.5166509F}},
-        QUADROTOR_F32_OK, 0x1D5A4DEBU,
-        {3.27e-5F, 0.000155F, 1.7e-5F, 4.77e-5F}, {0x1D5A4DEBU, 0xBD5ADC08U, 0x9A8C4664U}
+        QUADROTOR_F32_SATURATED, 0x34449259U,
+        {3.27e-5F, 0.000155F, 1.7e-5F, 4.77e-5F}, {0x1D5A4DEBU, 0xBD5ADC08U, 0xFD534FC3U}
     },
     { /* error 1.5 rad, moving reference */
         {{0.5025053F, -0.2284435F, -0.8289099F, -0.09061116F},
@@ -176,12 +179,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {0.1875F, 0.875F, -1.8125F},
          {-0.5625F, -1.75F, 0.75F}},
-        {{-0.61683018F, 0.5992105F, 0.38708444F},
+        {{-0.159352875F, 0.15480098F, 0.1F},
          {1.8685051F, -6.660344F, -4.8471176F},
          {-0.32183936F, -1.34099727F, -0.5900388F},
          {4.4083557F, 0.052650776F, 1.3905542F}},
-        QUADROTOR_F32_OK, 0x7C0796B3U,
-        {3.6e-5F, 0.000192F, 2.34e-5F, 8.22e-5F}, {0x7C0796B3U, 0xE6FDF567U, 0x7AD96078U}
+        QUADROTOR_F32_SATURATED, 0x306767B2U,
+        {3.6e-5F, 0.000192F, 2.34e-5F, 8.22e-5F}, {0x7C0796B3U, 0x064BD301U, 0x2B991E29U}
     },
     { /* error 2 rad, moving reference */
         {{0.73716396F, -0.31159878F, 0.29741392F, -0.52061546F},
@@ -189,12 +192,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {0.6875F, 0.8125F, -0.625F},
          {-1.8125F, -1.625F, -1.6875F}},
-        {{0.5286941F, 0.5124354F, 1.6663127F},
+        {{0.031728383F, 0.030752653F, 0.1F},
          {-5.2855353F, 0.5269951F, -10.921501F},
          {-1.34442803F, 0.3102526F, -1.44784554F},
          {0.58338297F, -4.397632F, -0.85013385F}},
-        QUADROTOR_F32_OK, 0xFDA7FB3FU,
-        {3.85e-5F, 0.000197F, 2.45e-5F, 7.15e-5F}, {0xFDA7FB3FU, 0x9AF8A10DU, 0x9EA4AB80U}
+        QUADROTOR_F32_SATURATED, 0xEBB46C8CU,
+        {3.85e-5F, 0.000197F, 2.45e-5F, 7.15e-5F}, {0xFDA7FB3FU, 0x9AF8A10DU, 0x347A8E7FU}
     },
     { /* error 2.5 rad, moving reference */
         {{0.2855619F, -0.3625979F, 0.86883837F, -0.17915638F},
@@ -202,12 +205,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {1.25F, 0.8125F, 0.5625F},
          {0.9375F, -1.0625F, -0.5F}},
-        {{-0.37535632F, -0.9958069F, 1.5547353F},
+        {{-0.0241427805F, -0.06404993F, 0.1F},
          {-2.6916132F, 12.6328755F, -6.6959024F},
          {-1.0090092F, 1.84985012F, -1.3453456F},
          {3.92833F, -1.34700065F, -3.0093107F}},
-        QUADROTOR_F32_OK, 0x46E524B9U,
-        {4.13e-5F, 0.000219F, 2.85e-5F, 7.18e-5F}, {0x46E524B9U, 0x902B9431U, 0x35C461EAU}
+        QUADROTOR_F32_SATURATED, 0x550F3909U,
+        {4.13e-5F, 0.000219F, 2.85e-5F, 7.18e-5F}, {0x31269BA9U, 0x8E92CB02U, 0x0F028599U}
     },
     { /* error 3 rad, moving reference */
         {{-0.09510509F, -0.099580556F, -0.67351097F, -0.7262381F},
@@ -215,12 +218,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {1.75F, 0.75F, 1.8125F},
          {-0.875F, -0.5F, 1.1875F}},
-        {{1.220016F, 1.3136098F, 1.8830055F},
+        {{0.06479089F, 0.069761337F, 0.1F},
          {-4.39138F, -11.753252F, -15.233908F},
          {-1.0064906F, -1.3724871F, -2.4704768F},
          {-4.3069853F, -3.186711F, 1.8306484F}},
-        QUADROTOR_F32_OK, 0xFFE2B2BAU,
-        {5.14e-5F, 0.00025F, 3.47e-5F, 8.06e-5F}, {0xFFE2B2BAU, 0xDC6F0645U, 0xD3FD1D2DU}
+        QUADROTOR_F32_SATURATED, 0xAAB7B8FBU,
+        {5.14e-5F, 0.00025F, 3.47e-5F, 8.06e-5F}, {0xFFE2B2BAU, 0xDC6F0645U, 0x9FCA966DU}
     },
     { /* error 3.5 rad, moving reference */
         {{-0.011962713F, -0.3194779F, 0.44475308F, -0.8366513F},
@@ -228,12 +231,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {-1.75F, 1.25F, -1.5625F},
          {1.875F, 0.0625F, -1.75F}},
-        {{0.3160187F, -0.21397628F, 2.0676973F},
+        {{0.015283606F, -0.0103485304F, 0.1F},
          {-5.623732F, 2.6211698F, -15.638262F},
          {-1.09804765F, 0.43921907F, -3.294143F},
          {2.30768856F, -0.010811817F, 3.679329F}},
-        QUADROTOR_F32_OK, 0xFF0CB7BEU,
-        {6.22e-5F, 0.000337F, 4.36e-5F, 7.22e-5F}, {0xFF0CB7BEU, 0x94236762U, 0x2D1CD67CU}
+        QUADROTOR_F32_SATURATED, 0x91B45961U,
+        {6.22e-5F, 0.000337F, 4.36e-5F, 7.22e-5F}, {0xAAD5C32CU, 0x94236762U, 0xE3A6E3DCU}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958F, -0.54885685F, 0.6657934F, -0.315613F},
@@ -241,12 +244,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {-1.1875F, 1.25F, -0.375F},
          {0.5625F, 0.625F, -0.0625F}},
-        {{0.20095028F, -1.15534625F, 2.4299214F},
+        {{0.008269826F, -0.04754665F, 0.1F},
          {-7.0984665F, 15.5115596F, -13.884432F},
          {-1.4066288F, 2.6477722F, -2.647772F},
          {2.3039932F, -2.6173422F, -0.7514949F}},
-        QUADROTOR_F32_OK, 0x0D248A88U,
-        {5.59e-5F, 0.00029F, 4.01e-5F, 6.43e-5F}, {0x0D248A88U, 0xB9EB08A1U, 0x10F49596U}
+        QUADROTOR_F32_SATURATED, 0xB4392635U,
+        {5.59e-5F, 0.00029F, 4.01e-5F, 6.43e-5F}, {0x0D248A88U, 0xB9EB08A1U, 0x986BB5A6U}
     },
     { /* error 5 rad, moving reference */
         {{-0.9178705F, -0.17713697F, 0.043684136F, 0.35245976F},
@@ -254,25 +257,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {-0.6875F, 1.1875F, 0.8125F},
          {-1.25F, 1.1875F, 1.0625F}},
-        {{1.3736944F, 0.17060594F, -3.9089819F},
+        {{0.035142F, 0.00436446F, -0.1F},
          {-12.418893F, -15.242122F, 22.78325F},
          {-2.6148818F, -2.2880216F, 3.5954624F},
          {-9.273474F, 12.821241F, 1.2100818F}},
-        QUADROTOR_F32_OK, 0x3CC7D7F1U,
-        {9.84e-5F, 0.000502F, 7.68e-5F, 0.000296F}, {0x3CC7D7F1U, 0x840FDF15U, 0x87BB7879U}
-    },
-    { /* error 6 rad, moving reference */
-        {{-0.89542323F, -0.43475807F, 0.06112049F, 0.07393868F},
-         {1.3125F, -0.1875F, 0.0625F}},
-        {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
-         {-0.125F, 1.1875F, -2.0F},
-         {1.5F, 1.8125F, -1.3125F}},
-        {{3.234582F, -3.2441924F, 0.10080203F},
-         {-17.2551033F, 15.618065F, 27.7179653F},
-         {-3.1939798F, 2.7681166F, 4.2586411F},
-         {-35.819088F, 29.026545F, -45.640935F}},
-        QUADROTOR_F32_OK, 0x7F666839U,
-        {0.000824F, 0.00229F, 0.000373F, 0.0049F}, {0x7F666839U, 0x9354E90AU, 0xBAB0E349U}
+        QUADROTOR_F32_SATURATED, 0xC9BECD04U,
+        {9.84e-5F, 0.000502F, 7.68e-5F, 0.000296F}, {0x10A06B75U, 0x840FDF15U, 0xE6CB55CBU}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F},
@@ -319,12 +309,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {2.0F, 1.5625F, -1.75F},
          {-0.1875F, -0.5F, 0.25F}},
-        {{-1.9839205F, -2.0643168F, -0.27695653F},
+        {{-0.7163292F, -0.7453577F, -0.1F},
          {28.0500875F, 16.299342F, 1.0080065F},
          {4.727495F, 2.870265F, 0.168839117F},
          {-2.8442613F, 3.35383427F, -1.8758654F}},
-        QUADROTOR_F32_OK, 0x1A01FADCU,
-        {0.000117F, 0.000978F, 0.000156F, 0.000362F}, {0x1A01FADCU, 0xEA025EE2U, 0xDF709D24U}
+        QUADROTOR_F32_SATURATED, 0xD599F69BU,
+        {0.000117F, 0.000978F, 0.000156F, 0.000362F}, {0x44709042U, 0xEA025EE2U, 0xF9BD5F71U}
     },
     { /* error 1e-2 rad before the cut, moving reference */
         {{-0.9317752F, 0.25675842F, 0.25111696F, -0.053013064F},
@@ -332,12 +322,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {-1.5F, -2.0F, -0.5625F},
          {-1.4375F, 0.0625F, 1.9375F}},
-        {{16.18668F, 19.807762F, -81.68124F},
+        {{0.01981689F, 0.024250077F, -0.1F},
          {-32.72795F, -3.2672264F, -12.9442375F},
          {-5.8931428F, -0.6800071F, -2.0399294F},
          {-273.76646F, -355.9233F, 916.6958F}},
-        QUADROTOR_F32_OK, 0x67129FB8U,
-        {0.294F, 0.0828F, 0.0138F, 3.13F}, {0x67129FB8U, 0x30E1E55EU, 0x3F1A47F9U}
+        QUADROTOR_F32_SATURATED, 0x05A133F3U,
+        {0.294F, 0.0828F, 0.0138F, 3.13F}, {0x67129FB8U, 0x30E1E55EU, 0x5D89AED2U}
     },
     { /* error 1e-3 rad before the cut, moving reference */
         {{-0.9303609F, -0.36215538F, 0.04049867F, -0.040396776F},
@@ -345,12 +335,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {-0.9375F, 2.0F, 0.1875F},
          {0.8125F, 0.6875F, -1.0F}},
-        {{454.58001F, -354.27155F, -1516.4657F},
+        {{0.029976282F, -0.02336166F, -0.1F},
          {-24.20398F, 15.3501009F, -23.1875163F},
          {-4.3879632F, 2.8084592F, -3.5105824F},
          {-9102.625F, 6702.0167F, 16740.926F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0xB0696733U,
-        {45.2F, 0.647F, 0.108F, 492.0F}, {0xB0696733U, 0x4A568F0DU, 0x420CBDDCU}
+        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x1B4A32A1U,
+        {45.2F, 0.647F, 0.108F, 492.0F}, {0xB0696733U, 0x4A568F0DU, 0x17A9AA7BU}
     },
     { /* error 1e-3 rad beyond the cut, moving reference */
         {{-0.930657F, -0.3126028F, -0.18983853F, -0.01087867F},
@@ -358,12 +348,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {-0.4375F, 2.0F, 1.375F},
          {-0.5F, 1.25F, 0.6875F}},
-        {{191.33034F, -253.302F, 35.717987F},
+        {{0.53566945F, -0.7091721F, 0.1F},
          {24.1958914F, 19.882603F, 22.671834F},
          {3.8346594F, 3.3552512F, 3.6747147F},
          {-3791.1702F, 4775.724F, -402.7243F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x7D54B97AU,
-        {15.6F, 0.58F, 0.0967F, 256.0F}, {0x7D54B97AU, 0x7F7428CEU, 0x08DFE845U}
+        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x8ED41FEEU,
+        {15.6F, 0.58F, 0.0967F, 256.0F}, {0xFE1A3242U, 0x7F7428CEU, 0x3355291CU}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775F, 0.26350504F, 0.25352886F, -0.04662418F},
@@ -371,12 +361,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, -0.2606948F, -0.2522853F, 0.05045706F},
          {0.125F, 2.0F, -1.5F},
          {-1.8125F, 1.8125F, 1.8125F}},
-        {{-33.890163F, -90.19453F, 78.45514F},
+        {{-0.0431968704F, -0.11496319F, 0.1F},
          {29.9626779F, -0.74951948F, 26.39533F},
          {4.876975F, 0.31463727F, 3.9330611F},
          {624.09606F, 1717.2636F, -907.7986F}},
-        QUADROTOR_F32_OK, 0x60BD663BU,
-        {0.298F, 0.0706F, 0.0118F, 4.76F}, {0x60BD663BU, 0xEEE576BBU, 0x61914F5FU}
+        QUADROTOR_F32_SATURATED, 0x0078BEE9U,
+        {0.298F, 0.0706F, 0.0118F, 4.76F}, {0x60BD663BU, 0xEEE576BBU, 0x725C813AU}
     },
     { /* error 1e-5 rad before the cut, moving reference */
         {{-0.9305065F, -0.36183575F, 0.040204905F, -0.040200055F},
@@ -384,12 +374,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3618327F, -0.040203635F, 0.040203635F},
          {0.625F, -1.625F, -0.25F},
          {0.4375F, -1.6875F, -0.5625F}},
-        {{44372.276F, 42126.89F, 16474.418F},
-         {-22.6154244F, 22.247282F, 23.702104F},
-         {-3.8109027F, 3.3328807F, 3.7211852F},
-         {-867558.5F, -797906.2F, -173827.18F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x7C687BB7U,
-        {1.46e5F, 57.9F, 9.66F, 2.85e6F}, {0x7C687BB7U, 0x8D78E8A0U, 0x54CCDA23U}
+        {{0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F}},
+        QUADROTOR_F32_OUT_OF_RANGE, 0xC655FF85U,
+        {0.0F, 0.0F, 0.0F, 0.0F}, {0U, 0U, 0U}
     },
     { /* error 1e-5 rad beyond the cut, moving reference */
         {{-0.93050903F, -0.3129369F, -0.18999583F, -0.011179084F},
@@ -397,12 +387,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{0.9305076F, 0.3129394F, 0.18999892F, 0.011176407F},
          {1.6875F, -1.625F, 0.4375F},
          {-0.875F, -1.625F, 1.125F}},
-        {{-14203.717F, 14325.373F, -9363.855F},
-         {23.7423623F, 17.1141083F, -21.78506F},
-         {4.1653924F, 2.8731826F, -3.7245966F},
-         {277046.923F, -271334.53F, 100527.1757F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x34AA314FU,
-        {1.45e5F, 61.9F, 10.3F, 1.92e6F}, {0x34AA314FU, 0x87A96735U, 0xC5C0D7A8U}
+        {{0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F},
+         {0.0F, 0.0F, 0.0F}},
+        QUADROTOR_F32_OUT_OF_RANGE, 0xC655FF85U,
+        {0.0F, 0.0F, 0.0F, 0.0F}, {0U, 0U, 0U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.00049999997F, 0.0F, 0.0F},
@@ -410,12 +400,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{1.0F, 0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F}},
-        {{-1.857526F, -186.29826F, 179.2963F},
+        {{-0.001036009F, -0.103905246F, 0.1F},
          {38.19311F, -0.5625F, 0.3125F},
          {6.282185F, 0.0F, 0.0F},
          {0.5F, 3532.7475F, -1964.9497F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x8C915428U,
-        {5.68F, 0.874F, 0.146F, 93.2F}, {0x8C915428U, 0x8C915428U, 0x0810AF98U}
+        QUADROTOR_F32_NEAR_CUT_LOCUS, 0xFC63FF49U,
+        {5.68F, 0.874F, 0.146F, 93.2F}, {0x8C915428U, 0x8C915428U, 0xBE8E551CU}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999999F, 0.0F, -0.00049999997F, 0.0F},
@@ -423,12 +413,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{1.0F, 0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F}},
-        {{181.15898F, 3.1497938F, 109.598693F},
+        {{0.16529302F, 0.0028739338F, 0.1F},
          {0.5625F, -36.50561F, 0.1875F},
          {0.0F, -6.282185F, 0.0F},
          {-3534.318F, 1.1875F, -1176.1428F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0xE5E87D6EU,
-        {6.59F, 0.874F, 0.146F, 118.0F}, {0xE5E87D6EU, 0xE5E87D6EU, 0xCF880E3EU}
+        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x4E02829DU,
+        {6.59F, 0.874F, 0.146F, 118.0F}, {0xE5E87D6EU, 0xE5E87D6EU, 0x354442E9U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.0F, 0.0F, 0.00049999997F},
@@ -436,12 +426,12 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
         {{1.0F, 0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F},
          {0.0F, 0.0F, 0.0F}},
-        {{199.31719F, -559.8958F, -2.7853363F},
+        {{0.28479183F, -0.8F, -0.0039797924F},
          {0.625F, -1.6875F, 37.19311F},
          {0.0F, 0.0F, 6.282185F},
          {-3921.065F, 10603.15F, -0.5F}},
-        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x7250502CU,
-        {14.8F, 0.874F, 0.146F, 2.8e2F}, {0x7250502CU, 0x7250502CU, 0xFDEB3BDAU}
+        QUADROTOR_F32_NEAR_CUT_LOCUS, 0x2C7DE38EU,
+        {14.8F, 0.874F, 0.146F, 2.8e2F}, {0x7250502CU, 0x7250502CU, 0x2FA2D838U}
     },
     { /* error 1 rad, moving reference */
         {{0.9265358F, 0.043290246F, -0.03143325F, 0.3723834F},
@@ -760,62 +750,73 @@ int quadrotor_f32_failures(const quadrotor_f32_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const quadrotor_f32_params *params)
 {
     return quadrotor_f32_check_params(params) != QUADROTOR_F32_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const quadrotor_f32_params *params, float *number, float below,
+        float least, float most)
 {
-    static const float spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*QUADROTOR_F32_MAX_PARAM,
-        -1.0F, 0.0F /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    quadrotor_f32_params params = quadrotor_f32_defaults;
-    int failures = quadrotor_f32_check_params(&params) != QUADROTOR_F32_OK;
+    const float spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*most, -most, below};
+    const float good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = quadrotor_f32_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = quadrotor_f32_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f32_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = quadrotor_f32_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
-    params = quadrotor_f32_defaults;
-    params.inertia[1] = params.inertia[0]/1024.0F; /* taken for zero */
-    failures += is_taken(&params);
-    params = quadrotor_f32_defaults;
-    params.inertia[4] = params.inertia[0]/1024.0F; /* taken for zero */
-    failures += is_taken(&params);
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const quadrotor_f32_case *const one = &quadrotor_f32_cases[0];
+    static const float spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*QUADROTOR_F32_MAX_PARAM,
+                -2.0F*QUADROTOR_F32_MAX_PARAM
+    };
     quadrotor_f32_params params = quadrotor_f32_defaults;
-    quadrotor_f32_command command;
-    quadrotor_f32_status status;
-    params.inertia[0] = INFINITE;
-    status = quadrotor_f32_control(&params, &one->state, &one->reference, &command);
-    return (status != QUADROTOR_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = quadrotor_f32_check_params(&params) != QUADROTOR_F32_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = quadrotor_f32_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, QUADROTOR_F32_MIN_GAIN/2.0F,
+            QUADROTOR_F32_MIN_GAIN,
+            QUADROTOR_F32_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, QUADROTOR_F32_MIN_GAIN/2.0F,
+            QUADROTOR_F32_MIN_GAIN,
+            QUADROTOR_F32_MAX_RATE);
+    for (i = 0; i < 3; i++) {
+        failures += range_failures(&params, &params.force_limit[i], QUADROTOR_F32_MIN_GAIN/2.0F,
+                QUADROTOR_F32_MIN_GAIN, QUADROTOR_F32_MAX_PARAM);
+    }
+    failures += range_failures(&params, &params.max_drift, 0.0F, QUADROTOR_F32_MOST_DRIFT/1024.0F,
+            QUADROTOR_F32_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -quadrotor_f32_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = quadrotor_f32_defaults.inertia[diagonal[i]];
+    }
+    params.inertia[1] = params.inertia[0]/1024.0F; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[1] = 0.0F;
+    params.inertia[4] = params.inertia[0]/1024.0F; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[4] = 0.0F;
+    return failures;
 }
 
 /* No pointer may be null; a build with QUADROTOR_CHECK_POINTERS finds those that are. */
@@ -838,10 +839,176 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    quadrotor_f32_params params;
+    quadrotor_f32_state state;
+    quadrotor_f32_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const quadrotor_f32_state state = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F}
+    };
+    static const quadrotor_f32_reference reference = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F},
+        {0.0F}
+    };
+    one->params = quadrotor_f32_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, float size)
+{
+    one->reference.nu_dot[i] = 8.0F*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, quadrotor_f32_status wanted)
+{
+    quadrotor_f32_command command;
+    const quadrotor_f32_status status = quadrotor_f32_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < QUADROTOR_F32_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, float *numbers, int count)
+{
+    static const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*QUADROTOR_F32_MAX_INPUT, -2.0F*QUADROTOR_F32_MAX_REACH
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const float good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? QUADROTOR_F32_NONFINITE_INPUT :
+                    QUADROTOR_F32_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, float *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const float good = g[i];
+        g[i] = is_bounded[i] ? 2.0F : good;
+        failures += is_bounded[i] && !is_told(one, QUADROTOR_F32_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, QUADROTOR_F32_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0F/2.0F);
+        failures += !is_told(&one, QUADROTOR_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const quadrotor_f32_case hollow = {
+        .bare = {0xC655FF85U, 0xC655FF85U, 0xE23C62B5U}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
+static int limit_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        push(&one, i, 1.0F);
+        for (j = 0; j < 3; j++) {
+            one.params.force_limit[j] = QUADROTOR_F32_MAX_PARAM;
+        }
+        one.params.force_limit[i] = QUADROTOR_F32_MIN_GAIN;
+        failures += !is_told(&one, QUADROTOR_F32_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, QUADROTOR_F32_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0F;
+        failures += !is_told(&one, QUADROTOR_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Forces either way, whose share of a limit is rounded either way: none is beyond it. */
+static int share_failures(void)
+{
+    trial one;
+    quadrotor_f32_command command;
+    int failures = 0;
+    int i;
+    int j;
+    at_rest(&one);
+    for (i = 0; i < 3; i++) {
+        one.params.force_limit[i] = one.params.inertia[0];
+    }
+    for (j = -SHARES; j <= SHARES; j++) {
+        push(&one, 0, (float)j + 1.0F/2.0F);
+        failures += quadrotor_f32_control(&one.params, &one.state, &one.reference, &command) !=
+                QUADROTOR_F32_SATURATED;
+        for (i = 0; i < 3; i++) {
+            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
+                    one.params.force_limit[i]);
+        }
+    }
+    return failures;
+}
+
 int quadrotor_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
+    failures += limit_failures() + share_failures();
     for (i = 0; i < QUADROTOR_F32_CASES; i++) {
         failures += quadrotor_f32_failures(&quadrotor_f32_cases[i]);
     }

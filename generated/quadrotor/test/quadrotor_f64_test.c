@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0/0.0)
 #define INFINITE (1.0/0.0)
 
+#define LARGEST 1.7976931348623157e308
+#define SHARES 32 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0x3AD73145U /* of a command that is zero */
@@ -33,12 +36,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
          {960.0, -192.0, -736.0},
          {-224.0, 288.0, 640.0}},
-        {{-11504.374163113403, 19541.092473299843, -14404.216803362591},
+        {{-0.07986809918348194, 0.1356623045880431, -0.1},
          {-1003.6201366481051, -654.6069937526853, 219.9884384153427},
          {0.16336600980326785, -0.44342202660886976, -0.16336600980326782},
          {-1084.6126098619086, -577.5956359455678, -60.85302658108175}},
-        QUADROTOR_F64_OK, 0x96D59852U,
-        {1.73e-9, 5.67e-11, 2.89e-14, 5.82e-11}, {0x96D59852U, 0xA0D26A84U, 0x49852470U}
+        QUADROTOR_F64_SATURATED, 0xB5F63303U,
+        {1.73e-9, 5.67e-11, 2.89e-14, 5.82e-11}, {0x5EF771F2U, 0x0DA6BC97U, 0x2B6C3D9BU}
     },
     { /* error 0 rad, at rest */
         {{1.0, 0.0, 0.0, 0.0},
@@ -46,12 +49,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{1.0, 0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0}},
-        {{0.17348000000000002, 0.0616, 0.4432},
+        {{0.03914259927797834, 0.013898916967509027, 0.1},
          {-1.25, -0.4375, -1.8125},
          {0.0, 0.0, 0.0},
          {-1.25, -0.4375, -1.8125}},
-        QUADROTOR_F64_OK, 0x1A6DF11AU,
-        {3.94e-14, 1.92e-13, 2.0e-14, 7.25e-14}, {0x1A6DF11AU, 0x1A6DF11AU, 0xEFBA7535U}
+        QUADROTOR_F64_SATURATED, 0x20C8A60FU,
+        {3.94e-14, 1.92e-13, 2.0e-14, 7.25e-14}, {0x1A6DF11AU, 0x1A6DF11AU, 0x769DAF7EU}
     },
     { /* error 1e-160 rad, at rest */
         {{1.0, 1.4279886949438495e-162, 3.998368345842779e-161, -2.9987762593820842e-161},
@@ -59,12 +62,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{1.0, 0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0}},
-        {{0.16522, -0.17600000000000002, 0.47348},
+        {{0.03489482132297035, -0.037171580636985724, 0.1},
          {-1.1875, 1.25, -1.9375},
          {2.855977389887699e-162, 7.996736691685558e-161, -5.9975525187641684e-161},
          {-1.1875, 1.25, -1.9375}},
-        QUADROTOR_F64_OK, 0x666A9208U,
-        {4.19e-14, 1.97e-13, 2.0e-14, 7.75e-14}, {0x666A9208U, 0x666A9208U, 0x1B4B401CU}
+        QUADROTOR_F64_SATURATED, 0x7DB41F85U,
+        {4.19e-14, 1.97e-13, 2.0e-14, 7.75e-14}, {0x666A9208U, 0x666A9208U, 0xE36CC0F9U}
     },
     { /* error 0 rad, moving reference */
         {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
@@ -85,12 +88,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {0.4375, 0.0625, -1.1875},
          {1.5, -1.6875, -1.25}},
-        {{0.28431867187492904, -0.0054366406251237466, -0.619335234375895},
+        {{0.04590707198524518, -0.000877818719711992, -0.1},
          {-1.9999999999998717, 0.06250000000235816, 2.500000000005558},
          {9.177118977606478e-14, 3.0576092012472104e-13, 9.476927969064372e-13},
          {-2.0000000000000697, 0.06249999999946119, 2.5000000000001807}},
-        QUADROTOR_F64_OK, 0x3F3F388DU,
-        {4.98e-14, 2.25e-13, 2.0e-14, 1.05e-13}, {0x3F3F388DU, 0x6CDBE8FBU, 0x05558A0AU}
+        QUADROTOR_F64_SATURATED, 0xB65EE7B2U,
+        {4.98e-14, 2.25e-13, 2.0e-14, 1.05e-13}, {0xB33AC659U, 0x6CDBE8FBU, 0xA7F5FF68U}
     },
     { /* error 1e-8 rad, moving reference */
         {{0.9305076207311, -0.26069480545769785, -0.25228529676209316, 0.050457062997987225},
@@ -98,12 +101,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {1.0, 0.0625, 0.1875},
          {-1.125, 0.375, 0.6875}},
-        {{0.3262864866731053, -0.20436030879986314, -0.17919266307337306},
+        {{0.18208696777920114, -0.11404502020051167, -0.1},
          {-2.5000000076680005, 1.2499999658719991, 0.9375000498034299},
          {-9.874286267300215e-10, -6.912000174421885e-9, 7.158857342282334e-9},
          {-2.5000000094577146, 1.2499999988582857, 0.9374999975931427}},
-        QUADROTOR_F64_OK, 0xFF4C0972U,
-        {4.26e-14, 2.2e-13, 2.0e-14, 1.0e-13}, {0xFF4C0972U, 0x23E0C8ABU, 0xD3C9908BU}
+        QUADROTOR_F64_SATURATED, 0xC498A27AU,
+        {4.26e-14, 2.2e-13, 2.0e-14, 1.0e-13}, {0xFF4C0972U, 0x099C107CU, 0x4A439A8BU}
     },
     { /* error 1e-4 rad, moving reference */
         {{0.930507721637305, 0.36182468352777414, -0.04023895993562282, 0.04023809720497632},
@@ -115,8 +118,8 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {-2.9376656145633233, -2.0000941005489468, -0.3119052629319133},
          {-1.5056568396913312e-5, -4.015084905828303e-5, 9.033941038114053e-5},
          {-2.937478667534349, -1.9999882357114815, -0.3124912160163833}},
-        QUADROTOR_F64_OK, 0x21755044U,
-        {4.31e-14, 2.39e-13, 2.0e-14, 1.19e-13}, {0x21755044U, 0x3CC0A691U, 0x2CEBDB05U}
+        QUADROTOR_F64_OK, 0x8B7770EBU,
+        {4.31e-14, 2.39e-13, 2.0e-14, 1.19e-13}, {0x8B7770EBU, 0x3CC0A691U, 0x31E906C0U}
     },
     { /* error 1e-2 rad, moving reference */
         {{0.9300598874299066, 0.3131669375171094, 0.19147158919166923, 0.015928137758097254},
@@ -124,12 +127,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {-2.0, 0.4375, 1.9375},
          {1.125, 0.0625, -0.8125}},
-        {{-0.07580640464824726, 0.003968010382635563, 0.3772115145022754},
+        {{-0.020096524558183917, 0.0010519324649649919, 0.1},
          {0.626380627599455, -0.22872332576210308, -1.5655856630257183},
          {-0.001069044967649723, 0.00587974732207333, 0.008017837257372725},
          {0.6291052844451178, -0.26233277300640995, -1.615408595202617}},
-        QUADROTOR_F64_OK, 0x70CC8FA6U,
-        {4.96e-14, 2.21e-13, 2.02e-14, 9.98e-14}, {0x70CC8FA6U, 0xAC64110FU, 0x9D0B859FU}
+        QUADROTOR_F64_SATURATED, 0x79A5CFE0U,
+        {4.96e-14, 2.21e-13, 2.02e-14, 9.98e-14}, {0x70CC8FA6U, 0xAC64110FU, 0xC532C9AAU}
     },
     { /* error 0.1 rad, moving reference */
         {{0.9164984819050258, -0.265349264852069, -0.28780490298420497, 0.08239319223395809},
@@ -137,12 +140,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {-1.4375, 0.4375, -0.875},
          {-0.1875, 0.625, 0.3125}},
-        {{0.05951191204009605, -0.06422064083397001, -0.14392190607114516},
+        {{0.04135014165993426, -0.044621866529632896, -0.1},
          {-0.3443714306924542, 0.3954291663861639, 0.6356487986189682},
          {-0.003438070820862685, -0.08938984134242868, 0.04469492067121442},
          {-0.36070144340150295, 0.9248783740090795, 0.3508566369872743}},
-        QUADROTOR_F64_OK, 0x59D868A5U,
-        {4.65e-14, 2.14e-13, 2.18e-14, 8.35e-14}, {0x59D868A5U, 0x5E35F326U, 0x7156C3B7U}
+        QUADROTOR_F64_SATURATED, 0xFB08C962U,
+        {4.65e-14, 2.14e-13, 2.18e-14, 8.35e-14}, {0x59D868A5U, 0x5E35F326U, 0x273E83C2U}
     },
     { /* error 0.5 rad, moving reference */
         {{0.9595125325062196, 0.18491766912283059, -0.2118435773234559, 0.016231277105674905},
@@ -150,12 +153,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
          {-0.9375, 0.4375, 0.3125},
          {-1.5, 1.1875, 2.0}},
-        {{0.29632447808244144, 0.36162003673583076, 0.3063403097226937},
+        {{0.09673048850498363, 0.11804520177680096, 0.1},
          {-3.2394307679305125, -3.198112882255142, -0.7386374200270945},
          {-0.3698001308168195, -0.323575114464717, 0.09245003270420486},
          {-0.752505607948277, -1.534681502541792, -1.1939076906893802}},
-        QUADROTOR_F64_OK, 0xEBE591D1U,
-        {4.86e-14, 2.39e-13, 2.74e-14, 8.44e-14}, {0xEBE591D1U, 0x21F0BEF3U, 0x262F3DEEU}
+        QUADROTOR_F64_SATURATED, 0x4F0A3BD8U,
+        {4.86e-14, 2.39e-13, 2.74e-14, 8.44e-14}, {0x701C7EAEU, 0x21F0BEF3U, 0x580D6857U}
     },
     { /* error 1 rad, moving reference */
         {{0.7851780728325058, 0.23517676385917607, 0.35995656136264154, 0.44566641966356446},
@@ -163,12 +166,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {-0.375, 0.875, 1.5},
          {1.25, 1.75, -0.9375}},
-        {{0.3221238075727469, -0.20311944027499151, -0.20825267187170607},
+        {{0.1546793156013821, -0.0975350944837448, -0.1},
          {-2.3844589510497842, 3.402488740513748, 2.218084645626801},
          {-0.22429446763920047, 0.6728834029176015, 0.7049254697232016},
          {-1.3730040524787919, -1.264628970068286, -1.5166509089053424}},
-        QUADROTOR_F64_OK, 0x2DEE8EACU,
-        {6.54e-14, 3.1e-13, 3.41e-14, 9.53e-14}, {0x2DEE8EACU, 0xF5615717U, 0x76B410B9U}
+        QUADROTOR_F64_SATURATED, 0xD16102D0U,
+        {6.54e-14, 3.1e-13, 3.41e-14, 9.53e-14}, {0x2DEE8EACU, 0xDCE7572AU, 0xCD7A7ED1U}
     },
     { /* error 1.5 rad, moving reference */
         {{0.5025053243604175, -0.22844350614038075, -0.8289098753011097, -0.09061115891555659},
@@ -176,12 +179,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {0.1875, 0.875, -1.8125},
          {-0.5625, -1.75, 0.75}},
-        {{-0.6168301585672826, 0.5992105106035572, 0.3870844262568207},
+        {{-0.15935287413449992, 0.1548009865439526, 0.1},
          {1.8685051555182752, -6.660344163746353, -4.847117546674814},
          {-0.3218393429334682, -1.3409972622227841, -0.590038795378025},
          {4.408355673068256, 0.05265080558380454, 1.390554165635941}},
-        QUADROTOR_F64_OK, 0x10E827BCU,
-        {7.19e-14, 3.85e-13, 4.68e-14, 1.64e-13}, {0x10E827BCU, 0x58B6001BU, 0xE7A69D38U}
+        QUADROTOR_F64_SATURATED, 0x7F2FDD00U,
+        {7.19e-14, 3.85e-13, 4.68e-14, 1.64e-13}, {0x10E827BCU, 0x58B6001BU, 0xCF803663U}
     },
     { /* error 2 rad, moving reference */
         {{0.7371639612229411, -0.31159877571484323, 0.2974139122557098, -0.5206154646606898},
@@ -189,12 +192,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
          {0.6875, 0.8125, -0.625},
          {-1.8125, -1.625, -1.6875}},
-        {{0.5286940413622325, 0.5124353515200055, 1.6663127043065344},
+        {{0.031728380873280206, 0.03075265226002491, 0.1},
          {-5.2855350337558535, 0.5269951407477742, -10.921501029192513},
          {-1.3444279939870498, 0.3102526139970115, -1.4478455319860537},
          {0.583382967643887, -4.397631874489561, -0.8501338716313724}},
-        QUADROTOR_F64_OK, 0x1BD20F73U,
-        {7.69e-14, 3.93e-13, 4.9e-14, 1.43e-13}, {0x1BD20F73U, 0xF4F5C56CU, 0x308C3339U}
+        QUADROTOR_F64_SATURATED, 0xB56DE07DU,
+        {7.69e-14, 3.93e-13, 4.9e-14, 1.43e-13}, {0xEB731948U, 0xF4F5C56CU, 0x3CDABFF6U}
     },
     { /* error 2.5 rad, moving reference */
         {{0.28556188082850786, -0.3625979213079461, 0.8688383912991192, -0.17915638276544926},
@@ -202,12 +205,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {1.25, 0.8125, 0.5625},
          {0.9375, -1.0625, -0.5}},
-        {{-0.37535632816392234, -0.9958069044624993, 1.5547352295294468},
+        {{-0.024142781422501567, -0.0640499350338828, 0.1},
          {-2.6916131353954413, 12.632875887211796, -6.695902204759396},
          {-1.0090091909944687, 1.8498501834898593, -1.345345587992625},
          {3.9283299523726396, -1.3470006181895362, -3.009310814290092}},
-        QUADROTOR_F64_OK, 0x69BB2C56U,
-        {8.27e-14, 4.38e-13, 5.7e-14, 1.44e-13}, {0x69BB2C56U, 0xB4F7180BU, 0x62176A49U}
+        QUADROTOR_F64_SATURATED, 0x82D945A4U,
+        {8.27e-14, 4.38e-13, 5.7e-14, 1.44e-13}, {0x69BB2C56U, 0x287ED220U, 0x6AA73449U}
     },
     { /* error 3 rad, moving reference */
         {{-0.09510508763942813, -0.09958055451982259, -0.6735109707465969, -0.7262380517093537},
@@ -215,12 +218,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {1.75, 0.75, 1.8125},
          {-0.875, -0.5, 1.1875}},
-        {{1.2200159932632666, 1.3136098611812812, 1.8830054994719823},
+        {{0.0647908884814927, 0.0697613396004225, 0.1},
          {-4.391379434808081, -11.753252545935316, -15.233907600565239},
          {-1.006490564195191, -1.372487132993442, -2.4704768393881955},
          {-4.306985377626813, -3.1867112506375848, 1.830648441239212}},
-        QUADROTOR_F64_OK, 0xBD3C029CU,
-        {1.03e-13, 5.0e-13, 6.94e-14, 1.61e-13}, {0xBD3C029CU, 0x7FC6FE38U, 0x81CAEEA0U}
+        QUADROTOR_F64_SATURATED, 0x2835DB2CU,
+        {1.03e-13, 5.0e-13, 6.94e-14, 1.61e-13}, {0xBD3C029CU, 0x7FC6FE38U, 0x759C1AAFU}
     },
     { /* error 3.5 rad, moving reference */
         {{-0.011962712289192259, -0.3194778918602897, 0.44475307373918627, -0.8366513452608183},
@@ -228,12 +231,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
          {-1.75, 1.25, -1.5625},
          {1.875, 0.0625, -1.75}},
-        {{0.31601867730243116, -0.2139762939574674, 2.0676972466605594},
+        {{0.015283604880396203, -0.010348531164465711, 0.1},
          {-5.623732270025845, 2.6211698100153615, -15.638261699368922},
          {-1.0980476589917774, 0.43921906359671087, -3.2941429769753325},
          {2.307688606894535, -0.01081183625174459, 3.679328886201589}},
-        QUADROTOR_F64_OK, 0x9EC146D3U,
-        {1.24e-13, 6.74e-13, 8.73e-14, 1.44e-13}, {0x9EC146D3U, 0x700556BEU, 0xF7AF21BAU}
+        QUADROTOR_F64_SATURATED, 0x3BC0158BU,
+        {1.24e-13, 6.74e-13, 8.73e-14, 1.44e-13}, {0x89EC0941U, 0x700556BEU, 0xCB013912U}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958065498625, -0.5488568628516267, 0.6657933929331686, -0.3156130117055591},
@@ -241,12 +244,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {-1.1875, 1.25, -0.375},
          {0.5625, 0.625, -0.0625}},
-        {{0.20095030385476204, -1.1553462506400234, 2.4299214001284946},
+        {{0.008269827322156831, -0.047546651121263786, 0.1},
          {-7.0984670827701635, 15.511559414778993, -13.88443209331482},
          {-1.406628966433006, 2.647772172109188, -2.647772172109188},
          {2.303993271019586, -2.617342257839412, -0.7514949330685669}},
-        QUADROTOR_F64_OK, 0xE0FAD107U,
-        {1.12e-13, 5.8e-13, 8.02e-14, 1.29e-13}, {0xE0FAD107U, 0xBD4BAC48U, 0x230CE0F4U}
+        QUADROTOR_F64_SATURATED, 0x2FBA7207U,
+        {1.12e-13, 5.8e-13, 8.02e-14, 1.29e-13}, {0x24FE8FC8U, 0x33851E4AU, 0x71C9442AU}
     },
     { /* error 5 rad, moving reference */
         {{-0.9178705261504816, -0.17713696521381228, 0.04368413498581306, 0.35245976951933117},
@@ -254,25 +257,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {-0.6875, 1.1875, 0.8125},
          {-1.25, 1.1875, 1.0625}},
-        {{1.3736943404522557, 0.1706059376665903, -3.908981836994727},
+        {{0.03514199854938105, 0.004364459718179561, -0.1},
          {-12.418892429193662, -15.242121468962534, 22.783251500642148},
          {-2.6148818018424533, -2.288021576612147, 3.595462477533374},
          {-9.273473872023649, 12.821241403955593, 1.210081713772725}},
-        QUADROTOR_F64_OK, 0xF4FF4972U,
-        {1.97e-13, 1.0e-12, 1.54e-13, 5.92e-13}, {0xF4FF4972U, 0x8E561C44U, 0x2B022115U}
-    },
-    { /* error 6 rad, moving reference */
-        {{-0.8954232379673797, -0.4347580730696632, 0.06112049166014923, 0.07393867937682164},
-         {1.3125, -0.1875, 0.0625}},
-        {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
-         {-0.125, 1.1875, -2.0},
-         {1.5, 1.8125, -1.3125}},
-        {{3.2345819637601845, -3.2441919979453795, 0.10080260766733512},
-         {-17.25510761383784, 15.61806412363656, 27.71796270223719},
-         {-3.193980484444541, 2.7681164198519372, 4.258640645926057},
-         {-35.819082574350965, 29.026539193262686, -45.640937406383955}},
-        QUADROTOR_F64_OK, 0x1C55AE5FU,
-        {1.65e-12, 4.58e-12, 7.45e-13, 9.8e-12}, {0x1C55AE5FU, 0x23047407U, 0x7F1D6006U}
+        QUADROTOR_F64_SATURATED, 0x1D07C85DU,
+        {1.97e-13, 1.0e-12, 1.54e-13, 5.92e-13}, {0xF9A1BB95U, 0x226E0CAEU, 0x8C17E0A3U}
     },
     { /* error at the cut, at rest */
         {{-1.0, 0.0, 0.0, 0.0},
@@ -319,12 +309,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {2.0, 1.5625, -1.75},
          {-0.1875, -0.5, 0.25}},
-        {{-1.9839203929757567, -2.0643167936804003, -0.2769565230893659},
+        {{-0.7163291807846688, -0.7453577083700985, -0.1},
          {28.050087683494823, 16.29934198102187, 1.0080065428446152},
          {4.727495299507449, 2.8702650032723795, 0.16883911783955174},
          {-2.844261218911957, 3.353834108214193, -1.8758657101064895}},
-        QUADROTOR_F64_OK, 0xA448B64DU,
-        {2.35e-13, 1.96e-12, 3.13e-13, 7.24e-13}, {0xA448B64DU, 0xD76243C4U, 0xF364E719U}
+        QUADROTOR_F64_SATURATED, 0x0614C237U,
+        {2.35e-13, 1.96e-12, 3.13e-13, 7.24e-13}, {0x24194C86U, 0xD76243C4U, 0xCDBF8182U}
     },
     { /* error 1e-2 rad before the cut, moving reference */
         {{-0.9317751850906616, 0.2567584241044352, 0.2511169673743395, -0.053013062516564395},
@@ -332,12 +322,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {-1.5, -2.0, -0.5625},
          {-1.4375, 0.0625, 1.9375}},
-        {{16.186818144544752, 19.808174590363734, -81.68152581323196},
+        {{0.019816987970519246, 0.02425049531476176, -0.1},
          {-32.727962344821286, -3.267052895346849, -12.944268391631583},
          {-5.893144359133591, -0.6799781952846831, -2.0399345858539597},
          {-273.76913860666343, -355.9314026012324, 916.699090175212}},
-        QUADROTOR_F64_OK, 0xB312D7F5U,
-        {5.88e-10, 1.66e-10, 2.76e-11, 6.27e-9}, {0xB312D7F5U, 0xA3091696U, 0xC77D8BBFU}
+        QUADROTOR_F64_SATURATED, 0xB211CC73U,
+        {5.88e-10, 1.66e-10, 2.76e-11, 6.27e-9}, {0x920CF480U, 0x3771810EU, 0xE23F9822U}
     },
     { /* error 1e-3 rad before the cut, moving reference */
         {{-0.9303609166503136, -0.36215538523420515, 0.04049866941583652, -0.04039677575004465},
@@ -345,12 +335,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3618326979871411, -0.04020363310968234, 0.04020363310968234},
          {-0.9375, 2.0, 0.1875},
          {0.8125, 0.6875, -1.0}},
-        {{454.5435437452072, -354.25375790322335, -1516.4232407408074},
+        {{0.029974714943247133, -0.023361140108230094, -0.1},
          {-24.20478140181016, 15.349637048014952, -23.186885621337673},
          {-4.388096670050201, 2.8083818688321687, -3.510477336040235},
          {-9101.902512931725, 6701.680771758231, 16740.454008570963}},
-        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x5EAE33B9U,
-        {9.05e-8, 1.29e-9, 2.16e-10, 9.85e-7}, {0x5EAE33B9U, 0x94C7E70CU, 0x814877D9U}
+        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x0A05AFF9U,
+        {9.05e-8, 1.29e-9, 2.16e-10, 9.85e-7}, {0xF69B5FA9U, 0xA7F978E1U, 0xEA259CACU}
     },
     { /* error 1e-3 rad beyond the cut, moving reference */
         {{-0.9306570200558294, -0.3126027838179912, -0.1898385237579098, -0.010878670298491893},
@@ -358,12 +348,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, 0.3129393944833584, 0.18999891807918187, 0.011176406945834228},
          {-0.4375, 2.0, 1.375},
          {-0.5, 1.25, 0.6875}},
-        {{191.34156371554622, -253.30816546431402, 35.71413694138749},
+        {{0.5357586101816426, -0.7092658178469566, 0.1},
          {24.19538499643295, 19.8826146702776, 22.67235218678997},
          {3.8345750279078925, 3.355253149419353, 3.6748010684117003},
          {-3791.3900540733644, 4775.840597209506, -402.6811410277124}},
-        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x37D53957U,
-        {3.12e-8, 1.16e-9, 1.93e-10, 5.11e-7}, {0x37D53957U, 0xF9036DB4U, 0xD23229DCU}
+        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x76414F58U,
+        {3.12e-8, 1.16e-9, 1.93e-10, 5.11e-7}, {0x37D53957U, 0xF0F50BEEU, 0xFD393478U}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775343506111, 0.2635050511157888, 0.2535288570831586, -0.046624181421354494},
@@ -371,12 +361,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{0.9305076219123143, -0.2606948042696353, -0.25228529445448583, 0.05045705889089716},
          {0.125, 2.0, -1.5},
          {-1.8125, 1.8125, 1.8125}},
-        {{-33.89005358341064, -90.19450601805809, 78.45550252766304},
+        {{-0.04319652859461472, -0.11496262609019162, 0.1},
          {29.962724948882293, -0.7494787169780371, 26.395267772362615},
          {4.876983073270898, 0.314644069243238, 3.93305086554103},
          {624.0939219065527, 1717.2631125725545, -907.8025121699136}},
-        QUADROTOR_F64_OK, 0x6A885252U,
-        {5.96e-10, 1.41e-10, 2.35e-11, 9.52e-9}, {0x6A885252U, 0xF1C08444U, 0xDABFDAE0U}
+        QUADROTOR_F64_SATURATED, 0x7E3128FEU,
+        {5.96e-10, 1.41e-10, 2.35e-11, 9.52e-9}, {0x2C4C3902U, 0xF1C08444U, 0x23C195A1U}
     },
     { /* error 1e-9 rad before the cut, moving reference */
         {{-0.9305076218031431, -0.3618326982935344, 0.04020363323674886, -0.04020363275182922},
@@ -410,12 +400,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{1.0, 0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0}},
-        {{-1.857525787812455, -186.2982561780754, 179.29629355696858},
+        {{-0.001036009027828707, -0.10390524671882416, 0.1},
          {38.19311184307752, -0.5625, 0.3125},
          {6.282185307179587, 0.0, 0.0},
          {0.5, 3532.7473493568295, -1964.9496095126867}},
-        QUADROTOR_F64_NEAR_CUT_LOCUS, 0xB9191EF5U,
-        {1.14e-8, 1.75e-9, 2.91e-10, 1.86e-7}, {0xB9191EF5U, 0xB9191EF5U, 0x7CE75BADU}
+        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x6EC9BE71U,
+        {1.14e-8, 1.75e-9, 2.91e-10, 1.86e-7}, {0xB9191EF5U, 0xB9191EF5U, 0x429CDBE0U}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999998750000026, 0.0, -0.0004999999791666669, 0.0},
@@ -423,12 +413,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{1.0, 0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0}},
-        {{181.158967636937, 3.149793842190822, 109.5986873464036},
+        {{0.16529300854156773, 0.0028739339114851, 0.1},
          {0.5625, -36.50561184307752, 0.1875},
          {0.0, -6.282185307179587, 0.0},
          {-3534.3178956836246, 1.1875, -1176.1427823193812}},
-        QUADROTOR_F64_NEAR_CUT_LOCUS, 0xCAD0606AU,
-        {1.32e-8, 1.75e-9, 2.91e-10, 2.36e-7}, {0xCAD0606AU, 0xCAD0606AU, 0x7918971EU}
+        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x01593327U,
+        {1.32e-8, 1.75e-9, 2.91e-10, 2.36e-7}, {0xCAD0606AU, 0xCAD0606AU, 0x98275EA1U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999998750000026, 0.0, 0.0, 0.0004999999791666669},
@@ -436,12 +426,12 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
         {{1.0, 0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0},
          {0.0, 0.0, 0.0}},
-        {{199.3171702477134, -559.8958033519988, -2.7853362750730333},
+        {{0.2847918045528274, -0.8, -0.003979792323354037},
          {0.625, -1.6875, 37.19311184307752},
          {0.0, 0.0, 6.282185307179587},
          {-3921.0648959371524, 10603.150005341724, -0.5}},
-        QUADROTOR_F64_NEAR_CUT_LOCUS, 0x417F767FU,
-        {2.96e-8, 1.75e-9, 2.91e-10, 5.59e-7}, {0x417F767FU, 0x417F767FU, 0x41A5374FU}
+        QUADROTOR_F64_NEAR_CUT_LOCUS, 0xE682780CU,
+        {2.96e-8, 1.75e-9, 2.91e-10, 5.59e-7}, {0x417F767FU, 0x417F767FU, 0x23573482U}
     },
     { /* error 1 rad, moving reference */
         {{0.9265357592251903, 0.04329024506596904, -0.03143325134245385, 0.3723833941909477},
@@ -453,8 +443,8 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {5.70834279691408, 1.1550060307238659, 1.322936509259778},
          {0.7804878048780487, 0.21951219512195128, 0.5853658536585367},
          {0.7114706641569094, 0.996521138888979, -2.2051354792925797}},
-        QUADROTOR_F64_OK, 0xA1A4247EU,
-        {5.17e-14, 2.73e-13, 3.56e-14, 8.29e-14}, {0xA1A4247EU, 0x16C8F189U, 0xE0FFD9A1U}
+        QUADROTOR_F64_OK, 0xF7265676U,
+        {5.17e-14, 2.73e-13, 3.56e-14, 8.29e-14}, {0xF7265676U, 0x16C8F189U, 0xCA7522A5U}
     },
     { /* g not a number */
         {{NOT_A_NUMBER, 0.04329024506596904, -0.03143325134245385, 0.3723833941909477},
@@ -760,62 +750,72 @@ int quadrotor_f64_failures(const quadrotor_f64_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const quadrotor_f64_params *params)
 {
     return quadrotor_f64_check_params(params) != QUADROTOR_F64_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const quadrotor_f64_params *params, double *number, double below,
+        double least, double most)
 {
-    static const double spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*QUADROTOR_F64_MAX_PARAM,
-        -1.0, 0.0 /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    quadrotor_f64_params params = quadrotor_f64_defaults;
-    int failures = quadrotor_f64_check_params(&params) != QUADROTOR_F64_OK;
+    const double spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*most, -most, below};
+    const double good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = quadrotor_f64_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = quadrotor_f64_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f64_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = quadrotor_f64_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
-    params = quadrotor_f64_defaults;
-    params.inertia[1] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = quadrotor_f64_defaults;
-    params.inertia[4] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const quadrotor_f64_case *const one = &quadrotor_f64_cases[0];
+    static const double spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*QUADROTOR_F64_MAX_PARAM, -2.0*QUADROTOR_F64_MAX_PARAM
+    };
     quadrotor_f64_params params = quadrotor_f64_defaults;
-    quadrotor_f64_command command;
-    quadrotor_f64_status status;
-    params.inertia[0] = INFINITE;
-    status = quadrotor_f64_control(&params, &one->state, &one->reference, &command);
-    return (status != QUADROTOR_F64_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = quadrotor_f64_check_params(&params) != QUADROTOR_F64_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = quadrotor_f64_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, QUADROTOR_F64_MIN_GAIN/2.0,
+            QUADROTOR_F64_MIN_GAIN,
+            QUADROTOR_F64_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, QUADROTOR_F64_MIN_GAIN/2.0,
+            QUADROTOR_F64_MIN_GAIN,
+            QUADROTOR_F64_MAX_RATE);
+    for (i = 0; i < 3; i++) {
+        failures += range_failures(&params, &params.force_limit[i], QUADROTOR_F64_MIN_GAIN/2.0,
+                QUADROTOR_F64_MIN_GAIN, QUADROTOR_F64_MAX_PARAM);
+    }
+    failures += range_failures(&params, &params.max_drift, 0.0, QUADROTOR_F64_MOST_DRIFT/1024.0,
+            QUADROTOR_F64_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -quadrotor_f64_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = quadrotor_f64_defaults.inertia[diagonal[i]];
+    }
+    params.inertia[1] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[1] = 0.0;
+    params.inertia[4] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[4] = 0.0;
+    return failures;
 }
 
 /* No pointer may be null; a build with QUADROTOR_CHECK_POINTERS finds those that are. */
@@ -838,10 +838,176 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    quadrotor_f64_params params;
+    quadrotor_f64_state state;
+    quadrotor_f64_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const quadrotor_f64_state state = {
+        {1.0, 0.0, 0.0, 0.0},
+        {0.0}
+    };
+    static const quadrotor_f64_reference reference = {
+        {1.0, 0.0, 0.0, 0.0},
+        {0.0},
+        {0.0}
+    };
+    one->params = quadrotor_f64_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, double size)
+{
+    one->reference.nu_dot[i] = 8.0*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, quadrotor_f64_status wanted)
+{
+    quadrotor_f64_command command;
+    const quadrotor_f64_status status = quadrotor_f64_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < QUADROTOR_F64_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, double *numbers, int count)
+{
+    static const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*QUADROTOR_F64_MAX_INPUT, -2.0*QUADROTOR_F64_MAX_REACH
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const double good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? QUADROTOR_F64_NONFINITE_INPUT :
+                    QUADROTOR_F64_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, double *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const double good = g[i];
+        g[i] = is_bounded[i] ? 2.0 : good;
+        failures += is_bounded[i] && !is_told(one, QUADROTOR_F64_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, QUADROTOR_F64_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0/2.0);
+        failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const quadrotor_f64_case hollow = {
+        .bare = {0x3AD73145U, 0x3AD73145U, 0xE2BA14A5U}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
+static int limit_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        push(&one, i, 1.0);
+        for (j = 0; j < 3; j++) {
+            one.params.force_limit[j] = QUADROTOR_F64_MAX_PARAM;
+        }
+        one.params.force_limit[i] = QUADROTOR_F64_MIN_GAIN;
+        failures += !is_told(&one, QUADROTOR_F64_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0;
+        failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Forces either way, whose share of a limit is rounded either way: none is beyond it. */
+static int share_failures(void)
+{
+    trial one;
+    quadrotor_f64_command command;
+    int failures = 0;
+    int i;
+    int j;
+    at_rest(&one);
+    for (i = 0; i < 3; i++) {
+        one.params.force_limit[i] = one.params.inertia[0];
+    }
+    for (j = -SHARES; j <= SHARES; j++) {
+        push(&one, 0, (double)j + 1.0/2.0);
+        failures += quadrotor_f64_control(&one.params, &one.state, &one.reference, &command) !=
+                QUADROTOR_F64_SATURATED;
+        for (i = 0; i < 3; i++) {
+            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
+                    one.params.force_limit[i]);
+        }
+    }
+    return failures;
+}
+
 int quadrotor_f64_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
+    failures += limit_failures() + share_failures();
     for (i = 0; i < QUADROTOR_F64_CASES; i++) {
         failures += quadrotor_f64_failures(&quadrotor_f64_cases[i]);
     }

@@ -14,6 +14,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -21,7 +25,8 @@
 const hovercraft_f32_params hovercraft_f32_defaults = {
     {0.05836F, 0.0F, -0.084F, 2.1F, 0.0F, 2.1F},
     0.5F, /* lambda */
-    1.5F /* k_s */
+    1.5F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -60,36 +65,39 @@ static inline float hovercraft_f32_h(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void hovercraft_f32_law(const hovercraft_f32_params *params,
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void hovercraft_f32_nothing(hovercraft_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float hovercraft_f32_law(const hovercraft_f32_params *params,
         const hovercraft_f32_state *state, const hovercraft_f32_reference *reference,
-        hovercraft_f32_command *command, float *clearance)
+        hovercraft_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
+        const float g_e_3, const float g_e_4, const float g_e_5)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* gap_0: translation of g from g_r [m] */
-    const float gap_0_0 = g_2 - g_r_2;
-    const float gap_0_1 = g_5 - g_r_5;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3;
-    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3;
-    const float g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
-    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4;
-    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4;
-    const float g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
 
     /* eta_arm_0: velocity at p [m/s] */
     const float eta_arm_0_0 = nu_r_1 - g_e_5*nu_r_0;
@@ -118,8 +126,19 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
     const float twice_0 = g_e_0 + g_e_4;
     const float twice_1 = g_e_3 - g_e_1;
 
+    /* norm_square: their squared length [1] */
+    const float norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    float norm_bounded;
+    if (norm_square < 3.0F) {
+        norm_bounded = 3.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const float norm = sqrtf(1.0e-30F + twice_0*twice_0 + twice_1*twice_1);
+    const float norm = sqrtf(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     float column_0, column_1;
@@ -134,11 +153,30 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const float column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    float column_bounded;
+    if (column_square < 3.0F) {
+        column_bounded = 3.0F;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const float scale = 1.0F/sqrtf(1.0e-30F + column_0*column_0 + column_1*column_1);
+    const float scale = 1.0F/sqrtf(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const float w = column_0*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const float sine = column_1*scale;
@@ -194,10 +232,10 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - nu_r_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_1 = inertia_3*nu_1;
@@ -222,30 +260,7 @@ static void hovercraft_f32_law(const hovercraft_f32_params *params,
     command->nu_u_dot[0] = nu_e_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void hovercraft_f32_residual(const float g[9], float residual[7])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_3 = g[3], g_4 = g[4], g_6 = g[6], g_7 = g[7], g_8 = g[8];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_3*g_3;
-    const float off_1 = g_0*g_1 + g_3*g_4;
-    const float off_2 = g_1*g_1 - 1.0F + g_4*g_4;
-    const float off_3 = g_0*g_4 - 1.0F - g_1*g_3;
-    const float off_6 = g_8 - 1.0F;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = g_6;
-    residual[5] = g_7;
-    residual[6] = off_6;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -255,8 +270,16 @@ static void hovercraft_f32_definiteness(const hovercraft_f32_params *params, flo
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
@@ -267,48 +290,30 @@ static void hovercraft_f32_definiteness(const hovercraft_f32_params *params, flo
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static hovercraft_f32_status hovercraft_f32_worse(const hovercraft_f32_status a,
-        const hovercraft_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static hovercraft_f32_status hovercraft_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    hovercraft_f32_status worst = HOVERCRAFT_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = HOVERCRAFT_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = hovercraft_f32_worse(worst, HOVERCRAFT_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static hovercraft_f32_status hovercraft_f32_on_group(const float g[9])
-{
-    float residual[7];
-    int i;
-    hovercraft_f32_residual(g, residual);
-    for (i = 0; i < 7; i++) {
-        if (!(fabsf(residual[i]) <= HOVERCRAFT_F32_MAX_DRIFT)) {
-            return HOVERCRAFT_F32_NOT_ON_GROUP;
-        }
-    }
-    return HOVERCRAFT_F32_OK;
-}
-
 void hovercraft_f32_tracking(const hovercraft_f32_params *params, const hovercraft_f32_state *state,
         const hovercraft_f32_reference *reference, hovercraft_f32_command *command)
 {
-    float clearance;
-    hovercraft_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
+
+    /* gap_0: translation of g from g_r [m] */
+    const float gap_0_0 = g_2 - g_r_2;
+    const float gap_0_1 = g_5 - g_r_5;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3;
+    const float g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4;
+    const float g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
+
+    /* -- end -- */
+    (void)hovercraft_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5);
 }
 
 void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercraft_f32_state *state,
@@ -327,8 +332,19 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
     const float twice_0 = g_0 + g_4;
     const float twice_1 = g_3 - g_1;
 
+    /* norm_square: their squared length [1] */
+    const float norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    float norm_bounded;
+    if (norm_square < 3.0F) {
+        norm_bounded = 3.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const float norm = sqrtf(1.0e-30F + twice_0*twice_0 + twice_1*twice_1);
+    const float norm = sqrtf(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     float column_0, column_1;
@@ -343,11 +359,30 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const float column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    float column_bounded;
+    if (column_square < 3.0F) {
+        column_bounded = 3.0F;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const float scale = 1.0F/sqrtf(1.0e-30F + column_0*column_0 + column_1*column_1);
+    const float scale = 1.0F/sqrtf(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const float w = column_0*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const float sine = column_1*scale;
@@ -470,11 +505,35 @@ void hovercraft_f32_plant(const hovercraft_f32_params *params, const hovercraft_
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static hovercraft_f32_status hovercraft_f32_judge(const hovercraft_f32_state *state,
-        const hovercraft_f32_reference *reference)
+/* The worse of two findings. */
+static hovercraft_f32_status hovercraft_f32_worse(const hovercraft_f32_status a,
+        const hovercraft_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static hovercraft_f32_status hovercraft_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     hovercraft_f32_status worst = HOVERCRAFT_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = HOVERCRAFT_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = hovercraft_f32_worse(worst, HOVERCRAFT_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static hovercraft_f32_status hovercraft_f32_refuse(const hovercraft_f32_state *state,
+        const hovercraft_f32_reference *reference, const hovercraft_f32_status found,
+        hovercraft_f32_command *command)
+{
+    hovercraft_f32_status worst = found;
     worst = hovercraft_f32_worse(worst,
             hovercraft_f32_inspect(state->g, 9, HOVERCRAFT_F32_MAX_INPUT));
     worst = hovercraft_f32_worse(worst,
@@ -485,28 +544,18 @@ static hovercraft_f32_status hovercraft_f32_judge(const hovercraft_f32_state *st
             hovercraft_f32_inspect(reference->nu, 3, HOVERCRAFT_F32_MAX_INPUT));
     worst = hovercraft_f32_worse(worst,
             hovercraft_f32_inspect(reference->nu_dot, 3, HOVERCRAFT_F32_MAX_INPUT));
-    if (worst == HOVERCRAFT_F32_OK) {
-        worst = hovercraft_f32_on_group(state->g);
-    }
-    if (worst == HOVERCRAFT_F32_OK) {
-        worst = hovercraft_f32_on_group(reference->g);
-    }
+    hovercraft_f32_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static hovercraft_f32_status hovercraft_f32_verdict(const hovercraft_f32_command *command,
-        const float clearance)
+static hovercraft_f32_status hovercraft_f32_verdict(const float clearance,
+        hovercraft_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return HOVERCRAFT_F32_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        hovercraft_f32_nothing(command);
+        return HOVERCRAFT_F32_NONFINITE_INPUT;
     }
     return clearance < HOVERCRAFT_F32_NEAR_CUT ? HOVERCRAFT_F32_NEAR_CUT_LOCUS : HOVERCRAFT_F32_OK;
 }
@@ -515,22 +564,75 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
         const hovercraft_f32_state *state, const hovercraft_f32_reference *reference,
         hovercraft_f32_command *command)
 {
+    float clearance;
 #ifdef HOVERCRAFT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
 #endif
-    static const hovercraft_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    hovercraft_f32_status status = hovercraft_f32_judge(state, reference);
-    if (status == HOVERCRAFT_F32_OK) {
-        float clearance;
-        hovercraft_f32_law(params, state, reference, command, &clearance);
-        status = hovercraft_f32_verdict(command, clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
+
+    /* gap_0: translation of g from g_r [m] */
+    const float gap_0_0 = g_2 - g_r_2;
+    const float gap_0_1 = g_5 - g_r_5;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_4*g_r_3;
+    const float g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
+    const float g_e_3 = g_0*g_r_1 + g_3*g_r_4;
+    const float g_e_4 = g_1*g_r_1 + g_4*g_r_4;
+    const float g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= HOVERCRAFT_F32_MAX_ENTRY && fabsf(g_e_1) <= HOVERCRAFT_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= HOVERCRAFT_F32_MAX_REACH && fabsf(g_e_3) <= HOVERCRAFT_F32_MAX_ENTRY
+            && fabsf(g_e_4) <= HOVERCRAFT_F32_MAX_ENTRY && fabsf(g_e_5) <= HOVERCRAFT_F32_MAX_REACH
+            && fabsf(state->g[2]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(state->g[5]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(state->nu[0]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->g[2]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->g[5]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= HOVERCRAFT_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= HOVERCRAFT_F32_MAX_INPUT)) {
+        const int is_near = fabsf(g_e_2) <= HOVERCRAFT_F32_MAX_REACH
+                && fabsf(g_e_5) <= HOVERCRAFT_F32_MAX_REACH;
+        return hovercraft_f32_refuse(state, reference,
+                is_near ? HOVERCRAFT_F32_NOT_ON_GROUP : HOVERCRAFT_F32_OUT_OF_RANGE, command);
     }
-    if (status >= HOVERCRAFT_F32_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+    const float g_6 = state->g[6], g_7 = state->g[7], g_8 = state->g[8];
+    const float g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_3*g_e_3;
+    const float off_1 = g_e_1 + g_e_3;
+    const float off_2 = g_e_4 - g_e_0;
+    const float off_5 = g_8 - 1.0F;
+    const float off_8 = g_r_8 - 1.0F;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = g_6*g_6 + g_7*g_7 + g_r_6*g_r_6 + g_r_7*g_r_7 + off_0*off_0 + off_1*off_1 +
+        off_2*off_2 + off_5*off_5 + off_8*off_8;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return hovercraft_f32_refuse(state, reference, HOVERCRAFT_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = hovercraft_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5);
+    return hovercraft_f32_verdict(clearance, command);
 }
 
 hovercraft_f32_status hovercraft_f32_check_params(const hovercraft_f32_params *params)
@@ -545,10 +647,13 @@ hovercraft_f32_status hovercraft_f32_check_params(const hovercraft_f32_params *p
     if (hovercraft_f32_inspect(params->inertia, 6, HOVERCRAFT_F32_MAX_PARAM) != HOVERCRAFT_F32_OK) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= HOVERCRAFT_F32_MAX_PARAM)) {
+    if (!(params->lambda >= HOVERCRAFT_F32_MIN_GAIN && params->lambda <= HOVERCRAFT_F32_MAX_RATE)) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= HOVERCRAFT_F32_MAX_PARAM)) {
+    if (!(params->k_s >= HOVERCRAFT_F32_MIN_GAIN && params->k_s <= HOVERCRAFT_F32_MAX_RATE)) {
+        return HOVERCRAFT_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= HOVERCRAFT_F32_MOST_DRIFT)) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

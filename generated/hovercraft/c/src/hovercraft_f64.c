@@ -14,6 +14,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -21,7 +25,8 @@
 const hovercraft_f64_params hovercraft_f64_defaults = {
     {0.05836, 0.0, -0.084, 2.1, 0.0, 2.1},
     0.5, /* lambda */
-    1.5 /* k_s */
+    1.5, /* k_s */
+    1.0e-6 /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -84,36 +89,39 @@ static inline double hovercraft_f64_h(const double w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void hovercraft_f64_law(const hovercraft_f64_params *params,
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void hovercraft_f64_nothing(hovercraft_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static double hovercraft_f64_law(const hovercraft_f64_params *params,
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
-        hovercraft_f64_command *command, double *clearance)
+        hovercraft_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
+        const double g_e_3, const double g_e_4, const double g_e_5)
 {
     /* -- tracking -- */
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
     const double rate_gain = params->lambda;
     const double reach_gain = params->k_s;
-    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
     const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
-
-    /* gap_0: translation of g from g_r [m] */
-    const double gap_0_0 = g_2 - g_r_2;
-    const double gap_0_1 = g_5 - g_r_5;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3;
-    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3;
-    const double g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
-    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4;
-    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4;
-    const double g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
 
     /* eta_arm_0: velocity at p [m/s] */
     const double eta_arm_0_0 = nu_r_1 - g_e_5*nu_r_0;
@@ -142,8 +150,19 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
     const double twice_0 = g_e_0 + g_e_4;
     const double twice_1 = g_e_3 - g_e_1;
 
+    /* norm_square: their squared length [1] */
+    const double norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    double norm_bounded;
+    if (norm_square < 3.0) {
+        norm_bounded = 3.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const double norm = sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1);
+    const double norm = sqrt(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     double column_0, column_1;
@@ -158,11 +177,30 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const double column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    double column_bounded;
+    if (column_square < 3.0) {
+        column_bounded = 3.0;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const double scale = 1.0/sqrt(1.0e-290 + column_0*column_0 + column_1*column_1);
+    const double scale = 1.0/sqrt(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const double w = column_0*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const double sine = column_1*scale;
@@ -218,10 +256,10 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - nu_r_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_1 = inertia_3*nu_1;
@@ -246,30 +284,7 @@ static void hovercraft_f64_law(const hovercraft_f64_params *params,
     command->nu_u_dot[0] = nu_e_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void hovercraft_f64_residual(const double g[9], double residual[7])
-{
-    /* -- residual -- */
-    const double g_0 = g[0], g_1 = g[1], g_3 = g[3], g_4 = g[4], g_6 = g[6], g_7 = g[7], g_8 = g[8];
-
-    /* off: deviation from the group [1] */
-    const double off_0 = g_0*g_0 - 1.0 + g_3*g_3;
-    const double off_1 = g_0*g_1 + g_3*g_4;
-    const double off_2 = g_1*g_1 - 1.0 + g_4*g_4;
-    const double off_3 = g_0*g_4 - 1.0 - g_1*g_3;
-    const double off_6 = g_8 - 1.0;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = g_6;
-    residual[5] = g_7;
-    residual[6] = off_6;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -279,8 +294,16 @@ static void hovercraft_f64_definiteness(const hovercraft_f64_params *params, dou
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
@@ -291,48 +314,30 @@ static void hovercraft_f64_definiteness(const hovercraft_f64_params *params, dou
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static hovercraft_f64_status hovercraft_f64_worse(const hovercraft_f64_status a,
-        const hovercraft_f64_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static hovercraft_f64_status hovercraft_f64_inspect(const double *numbers, const int count,
-        const double limit)
-{
-    hovercraft_f64_status worst = HOVERCRAFT_F64_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = HOVERCRAFT_F64_NONFINITE_INPUT;
-        } else if (fabs(numbers[i]) > limit) {
-            worst = hovercraft_f64_worse(worst, HOVERCRAFT_F64_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static hovercraft_f64_status hovercraft_f64_on_group(const double g[9])
-{
-    double residual[7];
-    int i;
-    hovercraft_f64_residual(g, residual);
-    for (i = 0; i < 7; i++) {
-        if (!(fabs(residual[i]) <= HOVERCRAFT_F64_MAX_DRIFT)) {
-            return HOVERCRAFT_F64_NOT_ON_GROUP;
-        }
-    }
-    return HOVERCRAFT_F64_OK;
-}
-
 void hovercraft_f64_tracking(const hovercraft_f64_params *params, const hovercraft_f64_state *state,
         const hovercraft_f64_reference *reference, hovercraft_f64_command *command)
 {
-    double clearance;
-    hovercraft_f64_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
+
+    /* gap_0: translation of g from g_r [m] */
+    const double gap_0_0 = g_2 - g_r_2;
+    const double gap_0_1 = g_5 - g_r_5;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3;
+    const double g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
+    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4;
+    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4;
+    const double g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
+
+    /* -- end -- */
+    (void)hovercraft_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5);
 }
 
 void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercraft_f64_state *state,
@@ -351,8 +356,19 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
     const double twice_0 = g_0 + g_4;
     const double twice_1 = g_3 - g_1;
 
+    /* norm_square: their squared length [1] */
+    const double norm_square = twice_0*twice_0 + twice_1*twice_1;
+
+    /* norm_bounded: the same: less is no turn [1] */
+    double norm_bounded;
+    if (norm_square < 3.0) {
+        norm_bounded = 3.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: their length [1] */
-    const double norm = sqrt(1.0e-290 + twice_0*twice_0 + twice_1*twice_1);
+    const double norm = sqrt(norm_bounded);
 
     /* column: cos >= 0 and sin of half the angle, unscaled [1] */
     double column_0, column_1;
@@ -367,11 +383,30 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
         column_1 = twice_0 - norm;
     }
 
+    /* column_square: squared length [1] */
+    const double column_square = column_0*column_0 + column_1*column_1;
+
+    /* column_bounded: the same [1] */
+    double column_bounded;
+    if (column_square < 3.0) {
+        column_bounded = 3.0;
+    } else {
+        column_bounded = column_square;
+    }
+
     /* scale: to unit length [1] */
-    const double scale = 1.0/sqrt(1.0e-290 + column_0*column_0 + column_1*column_1);
+    const double scale = 1.0/sqrt(column_bounded);
+
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = column_0*scale;
 
     /* w: cos of half the error angle [1] */
-    const double w = column_0*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* sine: sin of half the error angle [1] */
     const double sine = column_1*scale;
@@ -494,11 +529,35 @@ void hovercraft_f64_plant(const hovercraft_f64_params *params, const hovercraft_
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static hovercraft_f64_status hovercraft_f64_judge(const hovercraft_f64_state *state,
-        const hovercraft_f64_reference *reference)
+/* The worse of two findings. */
+static hovercraft_f64_status hovercraft_f64_worse(const hovercraft_f64_status a,
+        const hovercraft_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static hovercraft_f64_status hovercraft_f64_inspect(const double *numbers, const int count,
+        const double limit)
 {
     hovercraft_f64_status worst = HOVERCRAFT_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = HOVERCRAFT_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = hovercraft_f64_worse(worst, HOVERCRAFT_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static hovercraft_f64_status hovercraft_f64_refuse(const hovercraft_f64_state *state,
+        const hovercraft_f64_reference *reference, const hovercraft_f64_status found,
+        hovercraft_f64_command *command)
+{
+    hovercraft_f64_status worst = found;
     worst = hovercraft_f64_worse(worst,
             hovercraft_f64_inspect(state->g, 9, HOVERCRAFT_F64_MAX_INPUT));
     worst = hovercraft_f64_worse(worst,
@@ -509,28 +568,18 @@ static hovercraft_f64_status hovercraft_f64_judge(const hovercraft_f64_state *st
             hovercraft_f64_inspect(reference->nu, 3, HOVERCRAFT_F64_MAX_INPUT));
     worst = hovercraft_f64_worse(worst,
             hovercraft_f64_inspect(reference->nu_dot, 3, HOVERCRAFT_F64_MAX_INPUT));
-    if (worst == HOVERCRAFT_F64_OK) {
-        worst = hovercraft_f64_on_group(state->g);
-    }
-    if (worst == HOVERCRAFT_F64_OK) {
-        worst = hovercraft_f64_on_group(reference->g);
-    }
+    hovercraft_f64_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static hovercraft_f64_status hovercraft_f64_verdict(const hovercraft_f64_command *command,
-        const double clearance)
+static hovercraft_f64_status hovercraft_f64_verdict(const double clearance,
+        hovercraft_f64_command *command)
 {
-    const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return HOVERCRAFT_F64_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        hovercraft_f64_nothing(command);
+        return HOVERCRAFT_F64_NONFINITE_INPUT;
     }
     return clearance < HOVERCRAFT_F64_NEAR_CUT ? HOVERCRAFT_F64_NEAR_CUT_LOCUS : HOVERCRAFT_F64_OK;
 }
@@ -539,22 +588,75 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
         hovercraft_f64_command *command)
 {
+    double clearance;
 #ifdef HOVERCRAFT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
 #endif
-    static const hovercraft_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
-    hovercraft_f64_status status = hovercraft_f64_judge(state, reference);
-    if (status == HOVERCRAFT_F64_OK) {
-        double clearance;
-        hovercraft_f64_law(params, state, reference, command, &clearance);
-        status = hovercraft_f64_verdict(command, clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5];
+
+    /* gap_0: translation of g from g_r [m] */
+    const double gap_0_0 = g_2 - g_r_2;
+    const double gap_0_1 = g_5 - g_r_5;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_3*g_r_3;
+    const double g_e_1 = g_1*g_r_0 + g_4*g_r_3;
+    const double g_e_2 = g_r_0*gap_0_0 + g_r_3*gap_0_1;
+    const double g_e_3 = g_0*g_r_1 + g_3*g_r_4;
+    const double g_e_4 = g_1*g_r_1 + g_4*g_r_4;
+    const double g_e_5 = g_r_1*gap_0_0 + g_r_4*gap_0_1;
+
+    /* -- end -- */
+    if (!(fabs(g_e_0) <= HOVERCRAFT_F64_MAX_ENTRY && fabs(g_e_1) <= HOVERCRAFT_F64_MAX_ENTRY
+            && fabs(g_e_2) <= HOVERCRAFT_F64_MAX_REACH && fabs(g_e_3) <= HOVERCRAFT_F64_MAX_ENTRY
+            && fabs(g_e_4) <= HOVERCRAFT_F64_MAX_ENTRY && fabs(g_e_5) <= HOVERCRAFT_F64_MAX_REACH
+            && fabs(state->g[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->g[5]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->nu[0]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->nu[1]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(state->nu[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->g[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->g[5]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu[0]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu[1]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu[2]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu_dot[0]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu_dot[1]) <= HOVERCRAFT_F64_MAX_INPUT
+            && fabs(reference->nu_dot[2]) <= HOVERCRAFT_F64_MAX_INPUT)) {
+        const int is_near = fabs(g_e_2) <= HOVERCRAFT_F64_MAX_REACH
+                && fabs(g_e_5) <= HOVERCRAFT_F64_MAX_REACH;
+        return hovercraft_f64_refuse(state, reference,
+                is_near ? HOVERCRAFT_F64_NOT_ON_GROUP : HOVERCRAFT_F64_OUT_OF_RANGE, command);
     }
-    if (status >= HOVERCRAFT_F64_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+    const double g_6 = state->g[6], g_7 = state->g[7], g_8 = state->g[8];
+    const double g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_3*g_e_3;
+    const double off_1 = g_e_1 + g_e_3;
+    const double off_2 = g_e_4 - g_e_0;
+    const double off_5 = g_8 - 1.0;
+    const double off_8 = g_r_8 - 1.0;
+
+    /* drift: square of the distance from the group [1] */
+    const double drift = g_6*g_6 + g_7*g_7 + g_r_6*g_r_6 + g_r_7*g_r_7 + off_0*off_0 + off_1*off_1 +
+        off_2*off_2 + off_5*off_5 + off_8*off_8;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return hovercraft_f64_refuse(state, reference, HOVERCRAFT_F64_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = hovercraft_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5);
+    return hovercraft_f64_verdict(clearance, command);
 }
 
 hovercraft_f64_status hovercraft_f64_check_params(const hovercraft_f64_params *params)
@@ -569,10 +671,13 @@ hovercraft_f64_status hovercraft_f64_check_params(const hovercraft_f64_params *p
     if (hovercraft_f64_inspect(params->inertia, 6, HOVERCRAFT_F64_MAX_PARAM) != HOVERCRAFT_F64_OK) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0 && params->lambda <= HOVERCRAFT_F64_MAX_PARAM)) {
+    if (!(params->lambda >= HOVERCRAFT_F64_MIN_GAIN && params->lambda <= HOVERCRAFT_F64_MAX_RATE)) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0 && params->k_s <= HOVERCRAFT_F64_MAX_PARAM)) {
+    if (!(params->k_s >= HOVERCRAFT_F64_MIN_GAIN && params->k_s <= HOVERCRAFT_F64_MAX_RATE)) {
+        return HOVERCRAFT_F64_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0 && params->max_drift <= HOVERCRAFT_F64_MOST_DRIFT)) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
     if (fabs(params->inertia[1]) > 0.0) {

@@ -14,6 +14,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -21,7 +25,8 @@
 const paper_s3_f32_params paper_s3_f32_defaults = {
     {3.6046F, -0.0706F, 0.1491F, 8.6868F, 0.0449F, 9.3484F},
     0.5F, /* lambda */
-    1.0F /* k_s */
+    1.0F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -41,9 +46,28 @@ static inline float paper_s3_f32_k(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
-        const paper_s3_f32_reference *reference, paper_s3_f32_command *command, float *clearance)
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void paper_s3_f32_nothing(paper_s3_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
+        const paper_s3_f32_reference *reference, paper_s3_f32_command *command, const float g_e_0,
+        const float g_e_1, const float g_e_2, const float g_e_3)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -51,30 +75,26 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
 
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
-    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
-    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
-    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+    /* double: twice the vector part [1] */
+    const float double_0 = 2.0F*g_e_1;
+    const float double_1 = 2.0F*g_e_2;
+    const float double_2 = 2.0F*g_e_3;
 
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const float to_body_0 = 1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3;
-    const float to_body_1 = 2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const float to_body_2 = 2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const float to_body_3 = 2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const float to_body_4 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3;
-    const float to_body_5 = 2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const float to_body_6 = 2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const float to_body_7 = 2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const float to_body_8 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_2*g_e_2;
+    const float to_body_0 = 1.0F - double_1*g_e_2 - double_2*g_e_3;
+    const float to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const float to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const float to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const float to_body_4 = 1.0F - double_0*g_e_1 - double_2*g_e_3;
+    const float to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const float to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const float to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const float to_body_8 = 1.0F - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -94,8 +114,22 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+    /* square: square of its vector part [1] */
+    const float square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_e_0*g_e_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -103,63 +137,65 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     /* w: cos of half the error angle [1] */
     const float w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_e_1*scale;
-    const float v_1 = g_e_2*scale;
-    const float v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = paper_s3_f32_k(fabsf(w));
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    float distance;
-    if (w < 0.0F) {
-        distance = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
-    } else {
-        distance = 1.0F;
-    }
-
-    /* p: half of nu_u over v [1] */
-    const float p = 0.5F*k;
-
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
-    const float nu_u_0 = 2.0F*p*v_0;
-    const float nu_u_1 = 2.0F*p*v_1;
-    const float nu_u_2 = 2.0F*p*v_2;
+    const float nu_u_0 = g_e_1*reach;
+    const float nu_u_1 = g_e_2*reach;
+    const float nu_u_2 = g_e_3*reach;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* part: what the law has of nu_e at the identity [rad/s] */
+    const float part_0 = 0.5F*nu_e_0;
+    const float part_1 = 0.5F*nu_e_1;
+    const float part_2 = 0.5F*nu_e_2;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_e_2*part_2 - g_e_3*part_1;
+    const float turn_1 = g_e_3*part_0 - g_e_1*part_2;
+    const float turn_2 = g_e_1*part_1 - g_e_2*part_0;
+
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_e_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_e_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_e_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -176,10 +212,10 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
@@ -207,20 +243,7 @@ static void paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_f
     command->nu_u_dot[0] = nu_u_dot_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = distance;
-}
-
-/* distance of stored numbers from the group. */
-static void paper_s3_f32_residual(const float g[4], float residual[1])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_1*g_1 + g_2*g_2 + g_3*g_3;
-
-    /* -- end -- */
-    residual[0] = off_0;
+    return distance;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -231,17 +254,33 @@ static void paper_s3_f32_definiteness(const paper_s3_f32_params *params, float p
         inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
         inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const float lower_10 = inertia_1/inertia_0;
+    const float lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2] */
     const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
@@ -252,48 +291,22 @@ static void paper_s3_f32_definiteness(const paper_s3_f32_params *params, float p
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static paper_s3_f32_status paper_s3_f32_worse(const paper_s3_f32_status a,
-        const paper_s3_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static paper_s3_f32_status paper_s3_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    paper_s3_f32_status worst = PAPER_S3_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = PAPER_S3_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = paper_s3_f32_worse(worst, PAPER_S3_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static paper_s3_f32_status paper_s3_f32_on_group(const float g[4])
-{
-    float residual[1];
-    int i;
-    paper_s3_f32_residual(g, residual);
-    for (i = 0; i < 1; i++) {
-        if (!(fabsf(residual[i]) <= PAPER_S3_F32_MAX_DRIFT)) {
-            return PAPER_S3_F32_NOT_ON_GROUP;
-        }
-    }
-    return PAPER_S3_F32_OK;
-}
-
 void paper_s3_f32_tracking(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
         const paper_s3_f32_reference *reference, paper_s3_f32_command *command)
 {
-    float clearance;
-    paper_s3_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    (void)paper_s3_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
 }
 
 void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32_state *state,
@@ -308,8 +321,22 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+    /* square: square of its vector part [1] */
+    const float square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_0*g_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -317,55 +344,65 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     /* w: cos of half the error angle [1] */
     const float w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_1*scale;
-    const float v_1 = g_2*scale;
-    const float v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = paper_s3_f32_k(fabsf(w));
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
 
-    /* p: half of nu_u over v [1] */
-    const float p = 0.5F*k;
-
-    /* fall: -dp/dw [1] */
-    const float fall = 0.5F*h;
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
-    const float nu_u_0 = 2.0F*p*v_0;
-    const float nu_u_1 = 2.0F*p*v_1;
-    const float nu_u_2 = 2.0F*p*v_2;
+    const float nu_u_0 = g_1*reach;
+    const float nu_u_1 = g_2*reach;
+    const float nu_u_2 = g_3*reach;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* part: what the law has of nu_e at the identity [rad/s] */
+    const float part_0 = 0.5F*nu_0;
+    const float part_1 = 0.5F*nu_1;
+    const float part_2 = 0.5F*nu_2;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_2*part_2 - g_3*part_1;
+    const float turn_1 = g_3*part_0 - g_1*part_2;
+    const float turn_2 = g_1*part_1 - g_2*part_0;
+
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_2*turn_2 - g_3*turn_1;
+    const float bend_1 = g_3*turn_0 - g_1*turn_2;
+    const float bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = 0.5F*nu_0 + bend_0*fall + p*turn_0;
-    const float nu_u_dot_1 = 0.5F*nu_1 + bend_1*fall + p*turn_1;
-    const float nu_u_dot_2 = 0.5F*nu_2 + bend_2*fall + p*turn_2;
+    const float nu_u_dot_0 = part_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = part_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = part_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -466,11 +503,35 @@ void paper_s3_f32_plant(const paper_s3_f32_params *params, const paper_s3_f32_st
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static paper_s3_f32_status paper_s3_f32_judge(const paper_s3_f32_state *state,
-        const paper_s3_f32_reference *reference)
+/* The worse of two findings. */
+static paper_s3_f32_status paper_s3_f32_worse(const paper_s3_f32_status a,
+        const paper_s3_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static paper_s3_f32_status paper_s3_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     paper_s3_f32_status worst = PAPER_S3_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = PAPER_S3_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = paper_s3_f32_worse(worst, PAPER_S3_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static paper_s3_f32_status paper_s3_f32_refuse(const paper_s3_f32_state *state,
+        const paper_s3_f32_reference *reference, const paper_s3_f32_status found,
+        paper_s3_f32_command *command)
+{
+    paper_s3_f32_status worst = found;
     worst = paper_s3_f32_worse(worst,
             paper_s3_f32_inspect(state->g, 4, PAPER_S3_F32_MAX_INPUT));
     worst = paper_s3_f32_worse(worst,
@@ -481,30 +542,21 @@ static paper_s3_f32_status paper_s3_f32_judge(const paper_s3_f32_state *state,
             paper_s3_f32_inspect(reference->nu, 3, PAPER_S3_F32_MAX_INPUT));
     worst = paper_s3_f32_worse(worst,
             paper_s3_f32_inspect(reference->nu_dot, 3, PAPER_S3_F32_MAX_INPUT));
-    if (worst == PAPER_S3_F32_OK) {
-        worst = paper_s3_f32_on_group(state->g);
-    }
-    if (worst == PAPER_S3_F32_OK) {
-        worst = paper_s3_f32_on_group(reference->g);
-    }
+    paper_s3_f32_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static paper_s3_f32_status paper_s3_f32_verdict(const paper_s3_f32_command *command,
-        const float clearance)
+static paper_s3_f32_status paper_s3_f32_verdict(const float clearance,
+        paper_s3_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return PAPER_S3_F32_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) &&
+            isfinite(command->force[2]))) {
+        paper_s3_f32_nothing(command);
+        return PAPER_S3_F32_NONFINITE_INPUT;
     }
     if (clearance < PAPER_S3_F32_REFUSED_CUT) {
+        paper_s3_f32_nothing(command);
         return PAPER_S3_F32_OUT_OF_RANGE;
     }
     return clearance < PAPER_S3_F32_NEAR_CUT ? PAPER_S3_F32_NEAR_CUT_LOCUS : PAPER_S3_F32_OK;
@@ -514,22 +566,52 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
         const paper_s3_f32_state *state, const paper_s3_f32_reference *reference,
         paper_s3_f32_command *command)
 {
+    float clearance;
 #ifdef PAPER_S3_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return PAPER_S3_F32_BAD_PARAMS;
     }
 #endif
-    static const paper_s3_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    paper_s3_f32_status status = paper_s3_f32_judge(state, reference);
-    if (status == PAPER_S3_F32_OK) {
-        float clearance;
-        paper_s3_f32_law(params, state, reference, command, &clearance);
-        status = paper_s3_f32_verdict(command, clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= PAPER_S3_F32_MAX_ENTRY && fabsf(g_e_1) <= PAPER_S3_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= PAPER_S3_F32_MAX_ENTRY && fabsf(g_e_3) <= PAPER_S3_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= PAPER_S3_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= PAPER_S3_F32_MAX_INPUT)) {
+        return paper_s3_f32_refuse(state, reference, PAPER_S3_F32_NOT_ON_GROUP, command);
     }
-    if (status >= PAPER_S3_F32_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return paper_s3_f32_refuse(state, reference, PAPER_S3_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = paper_s3_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+    return paper_s3_f32_verdict(clearance, command);
 }
 
 paper_s3_f32_status paper_s3_f32_check_params(const paper_s3_f32_params *params)
@@ -544,10 +626,13 @@ paper_s3_f32_status paper_s3_f32_check_params(const paper_s3_f32_params *params)
     if (paper_s3_f32_inspect(params->inertia, 6, PAPER_S3_F32_MAX_PARAM) != PAPER_S3_F32_OK) {
         return PAPER_S3_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= PAPER_S3_F32_MAX_PARAM)) {
+    if (!(params->lambda >= PAPER_S3_F32_MIN_GAIN && params->lambda <= PAPER_S3_F32_MAX_RATE)) {
         return PAPER_S3_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= PAPER_S3_F32_MAX_PARAM)) {
+    if (!(params->k_s >= PAPER_S3_F32_MIN_GAIN && params->k_s <= PAPER_S3_F32_MAX_RATE)) {
+        return PAPER_S3_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= PAPER_S3_F32_MOST_DRIFT)) {
         return PAPER_S3_F32_BAD_PARAMS;
     }
     paper_s3_f32_definiteness(params, pivot);

@@ -14,6 +14,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -21,7 +25,9 @@
 const quadrotor_f32_params quadrotor_f32_defaults = {
     {0.0085F, 0.0F, 0.00012F, 0.0088F, 0.0F, 0.0152F},
     6.0F, /* lambda */
-    1.0e1F /* k_s */
+    1.0e1F, /* k_s */
+    {0.8F, 0.8F, 0.1F}, /* force_limit */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -41,39 +47,54 @@ static inline float quadrotor_f32_k(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
-        const quadrotor_f32_reference *reference, quadrotor_f32_command *command, float *clearance)
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void quadrotor_f32_nothing(quadrotor_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference, quadrotor_f32_command *command, const float g_e_0,
+        const float g_e_1, const float g_e_2, const float g_e_3)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2];
 
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
-    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
-    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
-    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+    /* double: twice the vector part [1] */
+    const float double_0 = 2.0F*g_e_1;
+    const float double_1 = 2.0F*g_e_2;
+    const float double_2 = 2.0F*g_e_3;
 
     /* to_body: Ad of g_e^-1: reference to body frame [1] */
-    const float to_body_0 = 1.0F - 2.0F*g_e_2*g_e_2 - 2.0F*g_e_3*g_e_3;
-    const float to_body_1 = 2.0F*(g_e_0*g_e_3 + g_e_1*g_e_2);
-    const float to_body_2 = 2.0F*(g_e_1*g_e_3 - g_e_0*g_e_2);
-    const float to_body_3 = 2.0F*(g_e_1*g_e_2 - g_e_0*g_e_3);
-    const float to_body_4 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_3*g_e_3;
-    const float to_body_5 = 2.0F*(g_e_0*g_e_1 + g_e_2*g_e_3);
-    const float to_body_6 = 2.0F*(g_e_0*g_e_2 + g_e_1*g_e_3);
-    const float to_body_7 = 2.0F*(g_e_2*g_e_3 - g_e_0*g_e_1);
-    const float to_body_8 = 1.0F - 2.0F*g_e_1*g_e_1 - 2.0F*g_e_2*g_e_2;
+    const float to_body_0 = 1.0F - double_1*g_e_2 - double_2*g_e_3;
+    const float to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const float to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const float to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const float to_body_4 = 1.0F - double_0*g_e_1 - double_2*g_e_3;
+    const float to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const float to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const float to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const float to_body_8 = 1.0F - double_0*g_e_1 - double_1*g_e_2;
 
     /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
     const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
@@ -93,8 +114,22 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
     const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
         nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_e_0*g_e_0 + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3);
+    /* square: square of its vector part [1] */
+    const float square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_e_0*g_e_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -102,57 +137,63 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
     /* w: cos of half the error angle [1] */
     const float w = g_e_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_e_1*scale;
-    const float v_1 = g_e_2*scale;
-    const float v_2 = g_e_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = quadrotor_f32_k(fabsf(w));
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
 
-    /* distance: distance from -i [1] */
-    float distance;
-    if (w < 0.0F) {
-        distance = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
-    } else {
-        distance = 1.0F;
-    }
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = g_e_1*stretch;
+    const float nu_u_1 = g_e_2*stretch;
+    const float nu_u_2 = g_e_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_e_2*v_1 - nu_e_1*v_2;
-    const float turn_1 = nu_e_0*v_2 - nu_e_2*v_0;
-    const float turn_2 = nu_e_1*v_0 - nu_e_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
+    const float turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
+    const float turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_e_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_e_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_e_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -169,10 +210,10 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta [rad/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
 
     /* momentum: I nu [N m s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2;
@@ -199,20 +240,7 @@ static void quadrotor_f32_law(const quadrotor_f32_params *params, const quadroto
     command->nu_u_dot[0] = nu_u_dot_0;
     command->nu_u_dot[1] = nu_u_dot_1;
     command->nu_u_dot[2] = nu_u_dot_2;
-    *clearance = distance;
-}
-
-/* distance of stored numbers from the group. */
-static void quadrotor_f32_residual(const float g[4], float residual[1])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_3 = g[3];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_1*g_1 + g_2*g_2 + g_3*g_3;
-
-    /* -- end -- */
-    residual[0] = off_0;
+    return distance;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -222,8 +250,16 @@ static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
         inertia_3 = params->inertia[3], inertia_5 = params->inertia[5];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* pivot_2: pivot of I [kg m^2] */
     const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20;
@@ -234,48 +270,22 @@ static void quadrotor_f32_definiteness(const quadrotor_f32_params *params, float
     pivot[2] = pivot_2;
 }
 
-/* The worse of two findings. */
-static quadrotor_f32_status quadrotor_f32_worse(const quadrotor_f32_status a,
-        const quadrotor_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static quadrotor_f32_status quadrotor_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    quadrotor_f32_status worst = QUADROTOR_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = QUADROTOR_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = quadrotor_f32_worse(worst, QUADROTOR_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static quadrotor_f32_status quadrotor_f32_on_group(const float g[4])
-{
-    float residual[1];
-    int i;
-    quadrotor_f32_residual(g, residual);
-    for (i = 0; i < 1; i++) {
-        if (!(fabsf(residual[i]) <= QUADROTOR_F32_MAX_DRIFT)) {
-            return QUADROTOR_F32_NOT_ON_GROUP;
-        }
-    }
-    return QUADROTOR_F32_OK;
-}
-
 void quadrotor_f32_tracking(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
         const quadrotor_f32_reference *reference, quadrotor_f32_command *command)
 {
-    float clearance;
-    quadrotor_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    (void)quadrotor_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
 }
 
 void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
@@ -289,8 +299,22 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
     const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
 
-    /* norm: length of the quaternion [1] */
-    const float norm = sqrtf(1.0e-30F + g_0*g_0 + g_1*g_1 + g_2*g_2 + g_3*g_3);
+    /* square: square of its vector part [1] */
+    const float square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_0*g_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
 
     /* scale: to unit length [1] */
     const float scale = 1.0F/norm;
@@ -298,49 +322,63 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
     /* w: cos of half the error angle [1] */
     const float w = g_0*scale;
 
-    /* v: sin of half the error angle times its axis [1] */
-    const float v_0 = g_1*scale;
-    const float v_1 = g_2*scale;
-    const float v_2 = g_3*scale;
-
     /* k_near: half angle over its sine, for |w| [1] */
     const float k_near = quadrotor_f32_k(fabsf(w));
 
-    /* sine: |v| [1] */
-    const float sine = sqrtf(v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
 
     /* k: half angle over its sine, on to 2 pi [1] */
     float k;
     if (w >= 0.0F) {
         k = k_near;
-    } else if (sine > 1.0e-10F) {
-        k = 3.1415927F/(sine + 1.0e-30F) - k_near;
     } else {
-        k = 0.0F;
+        k = 3.1415927F/distance - k_near;
     }
 
-    /* h: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h = (1.0F - k*w)/(1.0e-30F + v_0*v_0 + v_1*v_1 + v_2*v_2);
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
+
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
-    const float nu_u_0 = 2.0F*k*v_0;
-    const float nu_u_1 = 2.0F*k*v_1;
-    const float nu_u_2 = 2.0F*k*v_2;
+    const float nu_u_0 = g_1*stretch;
+    const float nu_u_1 = g_2*stretch;
+    const float nu_u_2 = g_3*stretch;
 
-    /* turn: v x nu_e [rad/s] */
-    const float turn_0 = nu_2*v_1 - nu_1*v_2;
-    const float turn_1 = nu_0*v_2 - nu_2*v_0;
-    const float turn_2 = nu_1*v_0 - nu_0*v_1;
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_2*nu_2 - g_3*nu_1;
+    const float turn_1 = g_3*nu_0 - g_1*nu_2;
+    const float turn_2 = g_1*nu_1 - g_2*nu_0;
 
-    /* bend: v x (v x nu_e) [rad/s] */
-    const float bend_0 = turn_2*v_1 - turn_1*v_2;
-    const float bend_1 = turn_0*v_2 - turn_2*v_0;
-    const float bend_2 = turn_1*v_0 - turn_0*v_1;
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_2*turn_2 - g_3*turn_1;
+    const float bend_1 = g_3*turn_0 - g_1*turn_2;
+    const float bend_2 = g_1*turn_1 - g_2*turn_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s] */
-    const float nu_u_dot_0 = nu_0 + bend_0*h + k*turn_0;
-    const float nu_u_dot_1 = nu_1 + bend_1*h + k*turn_1;
-    const float nu_u_dot_2 = nu_2 + bend_2*h + k*turn_2;
+    const float nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
 
     /* drive: lambda nu_u [rad/s] */
     const float drive_0 = nu_u_0*rate_gain;
@@ -427,11 +465,35 @@ void quadrotor_f32_plant(const quadrotor_f32_params *params, const quadrotor_f32
     nu_dot[2] = back_2;
 }
 
-/* What the state and the reference are worth. */
-static quadrotor_f32_status quadrotor_f32_judge(const quadrotor_f32_state *state,
-        const quadrotor_f32_reference *reference)
+/* The worse of two findings. */
+static quadrotor_f32_status quadrotor_f32_worse(const quadrotor_f32_status a,
+        const quadrotor_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static quadrotor_f32_status quadrotor_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     quadrotor_f32_status worst = QUADROTOR_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = QUADROTOR_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = quadrotor_f32_worse(worst, QUADROTOR_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static quadrotor_f32_status quadrotor_f32_refuse(const quadrotor_f32_state *state,
+        const quadrotor_f32_reference *reference, const quadrotor_f32_status found,
+        quadrotor_f32_command *command)
+{
+    quadrotor_f32_status worst = found;
     worst = quadrotor_f32_worse(worst,
             quadrotor_f32_inspect(state->g, 4, QUADROTOR_F32_MAX_INPUT));
     worst = quadrotor_f32_worse(worst,
@@ -442,55 +504,105 @@ static quadrotor_f32_status quadrotor_f32_judge(const quadrotor_f32_state *state
             quadrotor_f32_inspect(reference->nu, 3, QUADROTOR_F32_MAX_INPUT));
     worst = quadrotor_f32_worse(worst,
             quadrotor_f32_inspect(reference->nu_dot, 3, QUADROTOR_F32_MAX_INPUT));
-    if (worst == QUADROTOR_F32_OK) {
-        worst = quadrotor_f32_on_group(state->g);
-    }
-    if (worst == QUADROTOR_F32_OK) {
-        worst = quadrotor_f32_on_group(reference->g);
-    }
+    quadrotor_f32_nothing(command);
     return worst;
 }
 
-/* What a computed command is worth, given its distance from the cut locus of the law. */
-static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_command *command,
-        const float clearance)
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *params,
+        quadrotor_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
+    float share = 1.0F;
     int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 3; i++) {
-            if (!isfinite(rows[row][i])) {
-                return QUADROTOR_F32_NONFINITE_INPUT;
-            }
+    for (i = 0; i < 3; i++) {
+        const float size = fabsf(command->force[i]);
+        if (size > params->force_limit[i]) {
+            const float part = params->force_limit[i]/size;
+            share = part < share ? part : share;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        const float limit = params->force_limit[i];
+        const float force = command->force[i]*share;
+        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
+        if (!(fabsf(command->force[i]) <= limit)) {
+            quadrotor_f32_nothing(command);
+            return QUADROTOR_F32_NONFINITE_INPUT;
+        }
+    }
+    return QUADROTOR_F32_SATURATED;
+}
+
+/* What a computed command is worth, given its distance from the cut locus of the law. */
+static quadrotor_f32_status quadrotor_f32_verdict(const quadrotor_f32_params *params,
+        const float clearance, quadrotor_f32_command *command)
+{
+    quadrotor_f32_status status = QUADROTOR_F32_OK;
+    if (!(fabsf(command->force[0]) <= params->force_limit[0]
+            && fabsf(command->force[1]) <= params->force_limit[1]
+            && fabsf(command->force[2]) <= params->force_limit[2])) {
+        status = quadrotor_f32_saturate(params, command);
+        if (status == QUADROTOR_F32_NONFINITE_INPUT) {
+            return status;
         }
     }
     if (clearance < QUADROTOR_F32_REFUSED_CUT) {
+        quadrotor_f32_nothing(command);
         return QUADROTOR_F32_OUT_OF_RANGE;
     }
-    return clearance < QUADROTOR_F32_NEAR_CUT ? QUADROTOR_F32_NEAR_CUT_LOCUS : QUADROTOR_F32_OK;
+    return clearance < QUADROTOR_F32_NEAR_CUT ? QUADROTOR_F32_NEAR_CUT_LOCUS : status;
 }
 
 quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         const quadrotor_f32_state *state, const quadrotor_f32_reference *reference,
         quadrotor_f32_command *command)
 {
+    float clearance;
 #ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
 #endif
-    static const quadrotor_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    quadrotor_f32_status status = quadrotor_f32_judge(state, reference);
-    if (status == QUADROTOR_F32_OK) {
-        float clearance;
-        quadrotor_f32_law(params, state, reference, command, &clearance);
-        status = quadrotor_f32_verdict(command, clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= QUADROTOR_F32_MAX_ENTRY && fabsf(g_e_1) <= QUADROTOR_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= QUADROTOR_F32_MAX_ENTRY && fabsf(g_e_3) <= QUADROTOR_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= QUADROTOR_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= QUADROTOR_F32_MAX_INPUT)) {
+        return quadrotor_f32_refuse(state, reference, QUADROTOR_F32_NOT_ON_GROUP, command);
     }
-    if (status >= QUADROTOR_F32_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return quadrotor_f32_refuse(state, reference, QUADROTOR_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = quadrotor_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+    return quadrotor_f32_verdict(params, clearance, command);
 }
 
 quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *params)
@@ -505,11 +617,20 @@ quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *para
     if (quadrotor_f32_inspect(params->inertia, 6, QUADROTOR_F32_MAX_PARAM) != QUADROTOR_F32_OK) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= QUADROTOR_F32_MAX_PARAM)) {
+    if (!(params->lambda >= QUADROTOR_F32_MIN_GAIN && params->lambda <= QUADROTOR_F32_MAX_RATE)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= QUADROTOR_F32_MAX_PARAM)) {
+    if (!(params->k_s >= QUADROTOR_F32_MIN_GAIN && params->k_s <= QUADROTOR_F32_MAX_RATE)) {
         return QUADROTOR_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= QUADROTOR_F32_MOST_DRIFT)) {
+        return QUADROTOR_F32_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= QUADROTOR_F32_MIN_GAIN && params->force_limit[i] <=
+                QUADROTOR_F32_MAX_PARAM)) {
+            return QUADROTOR_F32_BAD_PARAMS;
+        }
     }
     if (fabsf(params->inertia[1]) > 0.0F) {
         return QUADROTOR_F32_BAD_PARAMS;

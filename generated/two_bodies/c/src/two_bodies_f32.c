@@ -15,6 +15,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -25,7 +29,8 @@ const two_bodies_f32_params two_bodies_f32_defaults = {
      0.0F, 12.0F, 0.0F, 0.0F, 0.0F, 0.0F, 12.0F, 0.0F, 0.0F, 0.0F, 0.0421F, 0.0F, 0.0F, 0.0417F,
      0.0F, 0.0067F},
     0.08F, /* lambda */
-    0.3F /* k_s */
+    0.3F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -85,10 +90,57 @@ static inline float two_bodies_f32_m(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void two_bodies_f32_law(const two_bodies_f32_params *params,
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void two_bodies_f32_nothing(two_bodies_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->force[3] = 0.0F;
+    command->force[4] = 0.0F;
+    command->force[5] = 0.0F;
+    command->force[6] = 0.0F;
+    command->force[7] = 0.0F;
+    command->force[8] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->s[3] = 0.0F;
+    command->s[4] = 0.0F;
+    command->s[5] = 0.0F;
+    command->s[6] = 0.0F;
+    command->s[7] = 0.0F;
+    command->s[8] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u[3] = 0.0F;
+    command->nu_u[4] = 0.0F;
+    command->nu_u[5] = 0.0F;
+    command->nu_u[6] = 0.0F;
+    command->nu_u[7] = 0.0F;
+    command->nu_u[8] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+    command->nu_u_dot[3] = 0.0F;
+    command->nu_u_dot[4] = 0.0F;
+    command->nu_u_dot[5] = 0.0F;
+    command->nu_u_dot[6] = 0.0F;
+    command->nu_u_dot[7] = 0.0F;
+    command->nu_u_dot[8] = 0.0F;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float two_bodies_f32_law(const two_bodies_f32_params *params,
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
-        two_bodies_f32_command *command, float *clearance)
+        two_bodies_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
+        const float g_e_3, const float g_e_4, const float g_e_5, const float g_e_6,
+        const float g_e_7, const float g_e_8, const float g_e_9, const float g_e_10,
+        const float g_e_11, const float g_e_16, const float g_e_17, const float g_e_18,
+        const float g_e_19, const float g_e_20, const float g_e_21, const float g_e_22,
+        const float g_e_23, const float g_e_24)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
@@ -99,22 +151,9 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
-        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
-        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
-        g_24 = state->g[24];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2], nu_3 = state->nu[3],
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
-        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
-        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
-        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
-        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2],
         nu_r_3 = reference->nu[3], nu_r_4 = reference->nu[4], nu_r_5 = reference->nu[5],
         nu_r_6 = reference->nu[6], nu_r_7 = reference->nu[7], nu_r_8 = reference->nu[8];
@@ -123,34 +162,6 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
         nu_r_dot_4 = reference->nu_dot[4], nu_r_dot_5 = reference->nu_dot[5],
         nu_r_dot_6 = reference->nu_dot[6], nu_r_dot_7 = reference->nu_dot[7],
         nu_r_dot_8 = reference->nu_dot[8];
-
-    /* gap_0_a: translation of g from g_r [m] */
-    const float gap_0_a_0 = g_3 - g_r_3;
-    const float gap_0_a_1 = g_7 - g_r_7;
-    const float gap_0_a_2 = g_11 - g_r_11;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
-    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
-    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
-    const float g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
-    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
-    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
-    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
-    const float g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
-    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
-    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
-    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
-    const float g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
-    const float g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
-    const float g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
-    const float g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
-    const float g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
-    const float g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
-    const float g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
-    const float g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
-    const float g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
-    const float g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
 
     /* eta_arm_0_a: velocity at p [m/s] */
     const float eta_arm_0_a_0 = nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2;
@@ -204,17 +215,23 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float eta_dot_8 = eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 + g_e_24*nu_r_dot_8
         - eta_7*nu_e_6;
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const float pairs_a_0 = 1.0F + g_e_0;
+    const float pairs_a_1 = 1.0F - g_e_0;
+    const float pairs_a_2 = g_e_10 + g_e_5;
+    const float pairs_a_3 = g_e_5 - g_e_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_a_0 = 1.0F + g_e_0 - g_e_10 - g_e_5;
+    const float B_a_0 = pairs_a_0 - pairs_a_2;
     const float B_a_1 = g_e_1 + g_e_4;
     const float B_a_2 = g_e_2 + g_e_8;
     const float B_a_3 = g_e_9 - g_e_6;
-    const float B_a_4 = 1.0F + g_e_5 - g_e_0 - g_e_10;
+    const float B_a_4 = pairs_a_1 + pairs_a_3;
     const float B_a_5 = g_e_6 + g_e_9;
     const float B_a_6 = g_e_2 - g_e_8;
-    const float B_a_7 = 1.0F + g_e_10 - g_e_0 - g_e_5;
+    const float B_a_7 = pairs_a_1 - pairs_a_3;
     const float B_a_8 = g_e_4 - g_e_1;
-    const float B_a_9 = 1.0F + g_e_0 + g_e_10 + g_e_5;
+    const float B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     float column_a_0, column_a_1, column_a_2, column_a_3;
@@ -250,20 +267,44 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
+    /* square_a: square of its vector part [1] */
+    const float square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const float norm_square_a = square_a + power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    float norm_bounded_a;
+    if (norm_square_a < 49.0F) {
+        norm_bounded_a = 49.0F;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
     /* norm_a: its length [1] */
-    const float norm_a = sqrtf(1.0e-30F + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    const float norm_a = sqrtf(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const float inverse_norm_a = 1.0F/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
     if (power_a_3 < 0.0F) {
-        scale_a = -1.0F/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0F/norm_a;
+        scale_a = inverse_norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const float cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const float w_a = power_a_3*scale_a;
+    float w_a;
+    if (cosine_a > 1.0F) {
+        w_a = 1.0F;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const float v_a_0 = power_a_0*scale_a;
@@ -304,17 +345,23 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float y_p_a_1 = half_a*rho_p_a_1;
     const float y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const float pairs_b_0 = 1.0F + g_e_16;
+    const float pairs_b_1 = 1.0F - g_e_16;
+    const float pairs_b_2 = g_e_20 + g_e_24;
+    const float pairs_b_3 = g_e_20 - g_e_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_b_0 = 1.0F + g_e_16 - g_e_20 - g_e_24;
+    const float B_b_0 = pairs_b_0 - pairs_b_2;
     const float B_b_1 = g_e_17 + g_e_19;
     const float B_b_2 = g_e_18 + g_e_22;
     const float B_b_3 = g_e_23 - g_e_21;
-    const float B_b_4 = 1.0F + g_e_20 - g_e_16 - g_e_24;
+    const float B_b_4 = pairs_b_1 + pairs_b_3;
     const float B_b_5 = g_e_21 + g_e_23;
     const float B_b_6 = g_e_18 - g_e_22;
-    const float B_b_7 = 1.0F + g_e_24 - g_e_16 - g_e_20;
+    const float B_b_7 = pairs_b_1 - pairs_b_3;
     const float B_b_8 = g_e_19 - g_e_17;
-    const float B_b_9 = 1.0F + g_e_16 + g_e_20 + g_e_24;
+    const float B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     float column_b_0, column_b_1, column_b_2, column_b_3;
@@ -350,31 +397,48 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
+    /* square_b: square of its vector part [1] */
+    const float square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const float norm_square_b = square_b + power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    float norm_bounded_b;
+    if (norm_square_b < 49.0F) {
+        norm_bounded_b = 49.0F;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
     /* norm_b: its length [1] */
-    const float norm_b = sqrtf(1.0e-30F + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    const float norm_b = sqrtf(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const float inverse_norm_b = 1.0F/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
     if (power_b_3 < 0.0F) {
-        scale_b = -1.0F/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0F/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const float w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const float v_b_0 = power_b_0*scale_b;
-    const float v_b_1 = power_b_1*scale_b;
-    const float v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F - w_b));
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
+
+    /* reach_b: p by the scale, but for a number [1] */
+    const float reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const float stretch_b = 2.0F*reach_b;
 
     /* clearance_0: the smaller clearance [1] */
     float clearance_0;
@@ -385,9 +449,9 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     }
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const float nu_u_6 = 2.0F*k_b*v_b_0;
-    const float nu_u_7 = 2.0F*k_b*v_b_1;
-    const float nu_u_8 = 2.0F*k_b*v_b_2;
+    const float nu_u_6 = power_b_0*stretch_b;
+    const float nu_u_7 = power_b_1*stretch_b;
+    const float nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const float turn_a_0 = nu_e_2*v_a_1 - nu_e_1*v_a_2;
@@ -419,15 +483,15 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const float turn_b_0 = nu_e_8*v_b_1 - nu_e_7*v_b_2;
-    const float turn_b_1 = nu_e_6*v_b_2 - nu_e_8*v_b_0;
-    const float turn_b_2 = nu_e_7*v_b_0 - nu_e_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const float turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2;
+    const float turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0;
+    const float turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const float bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const float bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const float bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const float nu_u_dot_0 = nu_e_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -436,9 +500,9 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float nu_u_dot_3 = nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const float nu_u_dot_4 = nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const float nu_u_dot_5 = nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const float nu_u_dot_6 = nu_e_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const float nu_u_dot_7 = nu_e_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const float nu_u_dot_8 = nu_e_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const float nu_u_dot_6 = nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const float nu_u_dot_7 = nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const float nu_u_dot_8 = nu_e_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const float drive_0 = phi_a_0*rate_gain;
@@ -473,16 +537,16 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     const float wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7;
     const float wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
-    const float turning_3 = drive_3 - eta_3;
-    const float turning_4 = drive_4 - eta_4;
-    const float turning_5 = drive_5 - eta_5;
-    const float turning_6 = drive_6 - eta_6;
-    const float turning_7 = drive_7 - eta_7;
-    const float turning_8 = drive_8 - eta_8;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+    const float turning_3 = s_3 - nu_3;
+    const float turning_4 = s_4 - nu_4;
+    const float turning_5 = s_5 - nu_5;
+    const float turning_6 = s_6 - nu_6;
+    const float turning_7 = s_7 - nu_7;
+    const float turning_8 = s_8 - nu_8;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4;
@@ -548,56 +612,7 @@ static void two_bodies_f32_law(const two_bodies_f32_params *params,
     command->nu_u_dot[6] = nu_u_dot_6;
     command->nu_u_dot[7] = nu_u_dot_7;
     command->nu_u_dot[8] = nu_u_dot_8;
-    *clearance = clearance_0;
-}
-
-/* distance of stored numbers from the group. */
-static void two_bodies_f32_residual(const float g[25], float residual[18])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
-        g_9 = g[9], g_10 = g[10], g_12 = g[12], g_13 = g[13], g_14 = g[14], g_15 = g[15],
-        g_16 = g[16], g_17 = g[17], g_18 = g[18], g_19 = g[19], g_20 = g[20], g_21 = g[21],
-        g_22 = g[22], g_23 = g[23], g_24 = g[24];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_4*g_4 + g_8*g_8;
-    const float off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const float off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const float off_3 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
-    const float off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const float off_5 = g_10*g_10 - 1.0F + g_2*g_2 + g_6*g_6;
-    const float off_6 = g_0*g_10*g_5 - 1.0F + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const float off_10 = g_15 - 1.0F;
-    const float off_11 = g_16*g_16 - 1.0F + g_19*g_19 + g_22*g_22;
-    const float off_12 = g_16*g_17 + g_19*g_20 + g_22*g_23;
-    const float off_13 = g_16*g_18 + g_19*g_21 + g_22*g_24;
-    const float off_14 = g_17*g_17 - 1.0F + g_20*g_20 + g_23*g_23;
-    const float off_15 = g_17*g_18 + g_20*g_21 + g_23*g_24;
-    const float off_16 = g_18*g_18 - 1.0F + g_21*g_21 + g_24*g_24;
-    const float off_17 = g_16*g_20*g_24 - 1.0F + g_17*g_21*g_22 + g_18*g_19*g_23 - g_16*g_21*g_23 -
-        g_17*g_19*g_24 - g_18*g_20*g_22;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
-    residual[11] = off_11;
-    residual[12] = off_12;
-    residual[13] = off_13;
-    residual[14] = off_14;
-    residual[15] = off_15;
-    residual[16] = off_16;
-    residual[17] = off_17;
+    return clearance_0;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -611,20 +626,44 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const float lower_40 = inertia_4/inertia_0;
+    const float lower_40 = inertia_4/divisor_0;
+
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_1;
+    if (inertia_9 > 0.0F) {
+        divisor_1 = inertia_9;
+    } else {
+        divisor_1 = 1.0F;
+    }
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const float lower_31 = inertia_11/inertia_9;
+    const float lower_31 = inertia_11/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_2;
+    if (pivot_2 > 0.0F) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0F;
+    }
+
     /* lower_42: I = L D L^T, entry of L [1] */
-    const float lower_42 = -inertia_0*lower_20*lower_40/pivot_2;
+    const float lower_42 = -inertia_0*lower_20*lower_40/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_24 - inertia_9*lower_31*lower_31;
@@ -644,48 +683,56 @@ static void two_bodies_f32_definiteness(const two_bodies_f32_params *params, flo
     pivot[8] = inertia_44;
 }
 
-/* The worse of two findings. */
-static two_bodies_f32_status two_bodies_f32_worse(const two_bodies_f32_status a,
-        const two_bodies_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static two_bodies_f32_status two_bodies_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    two_bodies_f32_status worst = TWO_BODIES_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = TWO_BODIES_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = two_bodies_f32_worse(worst, TWO_BODIES_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static two_bodies_f32_status two_bodies_f32_on_group(const float g[25])
-{
-    float residual[18];
-    int i;
-    two_bodies_f32_residual(g, residual);
-    for (i = 0; i < 18; i++) {
-        if (!(fabsf(residual[i]) <= TWO_BODIES_F32_MAX_DRIFT)) {
-            return TWO_BODIES_F32_NOT_ON_GROUP;
-        }
-    }
-    return TWO_BODIES_F32_OK;
-}
-
 void two_bodies_f32_tracking(const two_bodies_f32_params *params, const two_bodies_f32_state *state,
         const two_bodies_f32_reference *reference, two_bodies_f32_command *command)
 {
-    float clearance;
-    two_bodies_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
+        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
+        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
+        g_24 = state->g[24];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
+        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
+        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
+        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
+
+    /* gap_0_a: translation of g from g_r [m] */
+    const float gap_0_a_0 = g_3 - g_r_3;
+    const float gap_0_a_1 = g_7 - g_r_7;
+    const float gap_0_a_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const float g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
+    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const float g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
+    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const float g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
+    const float g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
+    const float g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
+    const float g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
+    const float g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
+    const float g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
+    const float g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
+    const float g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
+    const float g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
+    const float g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
+
+    /* -- end -- */
+    (void)two_bodies_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, g_e_16, g_e_17, g_e_18, g_e_19,
+            g_e_20, g_e_21, g_e_22, g_e_23, g_e_24);
 }
 
 void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodies_f32_state *state,
@@ -710,17 +757,23 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const float pairs_a_0 = 1.0F + g_0;
+    const float pairs_a_1 = 1.0F - g_0;
+    const float pairs_a_2 = g_10 + g_5;
+    const float pairs_a_3 = g_5 - g_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_a_0 = 1.0F + g_0 - g_10 - g_5;
+    const float B_a_0 = pairs_a_0 - pairs_a_2;
     const float B_a_1 = g_1 + g_4;
     const float B_a_2 = g_2 + g_8;
     const float B_a_3 = g_9 - g_6;
-    const float B_a_4 = 1.0F + g_5 - g_0 - g_10;
+    const float B_a_4 = pairs_a_1 + pairs_a_3;
     const float B_a_5 = g_6 + g_9;
     const float B_a_6 = g_2 - g_8;
-    const float B_a_7 = 1.0F + g_10 - g_0 - g_5;
+    const float B_a_7 = pairs_a_1 - pairs_a_3;
     const float B_a_8 = g_4 - g_1;
-    const float B_a_9 = 1.0F + g_0 + g_10 + g_5;
+    const float B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     float column_a_0, column_a_1, column_a_2, column_a_3;
@@ -756,20 +809,44 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
+    /* square_a: square of its vector part [1] */
+    const float square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const float norm_square_a = square_a + power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    float norm_bounded_a;
+    if (norm_square_a < 49.0F) {
+        norm_bounded_a = 49.0F;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
     /* norm_a: its length [1] */
-    const float norm_a = sqrtf(1.0e-30F + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    const float norm_a = sqrtf(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const float inverse_norm_a = 1.0F/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_a;
     if (power_a_3 < 0.0F) {
-        scale_a = -1.0F/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0F/norm_a;
+        scale_a = inverse_norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const float cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const float w_a = power_a_3*scale_a;
+    float w_a;
+    if (cosine_a > 1.0F) {
+        w_a = 1.0F;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const float v_a_0 = power_a_0*scale_a;
@@ -810,17 +887,23 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float y_p_a_1 = half_a*rho_p_a_1;
     const float y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const float pairs_b_0 = 1.0F + g_16;
+    const float pairs_b_1 = 1.0F - g_16;
+    const float pairs_b_2 = g_20 + g_24;
+    const float pairs_b_3 = g_20 - g_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_b_0 = 1.0F + g_16 - g_20 - g_24;
+    const float B_b_0 = pairs_b_0 - pairs_b_2;
     const float B_b_1 = g_17 + g_19;
     const float B_b_2 = g_18 + g_22;
     const float B_b_3 = g_23 - g_21;
-    const float B_b_4 = 1.0F + g_20 - g_16 - g_24;
+    const float B_b_4 = pairs_b_1 + pairs_b_3;
     const float B_b_5 = g_21 + g_23;
     const float B_b_6 = g_18 - g_22;
-    const float B_b_7 = 1.0F + g_24 - g_16 - g_20;
+    const float B_b_7 = pairs_b_1 - pairs_b_3;
     const float B_b_8 = g_19 - g_17;
-    const float B_b_9 = 1.0F + g_16 + g_20 + g_24;
+    const float B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     float column_b_0, column_b_1, column_b_2, column_b_3;
@@ -856,36 +939,53 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
+    /* square_b: square of its vector part [1] */
+    const float square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const float norm_square_b = square_b + power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    float norm_bounded_b;
+    if (norm_square_b < 49.0F) {
+        norm_bounded_b = 49.0F;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
     /* norm_b: its length [1] */
-    const float norm_b = sqrtf(1.0e-30F + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    const float norm_b = sqrtf(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const float inverse_norm_b = 1.0F/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     float scale_b;
     if (power_b_3 < 0.0F) {
-        scale_b = -1.0F/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0F/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const float w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const float v_b_0 = power_b_0*scale_b;
-    const float v_b_1 = power_b_1*scale_b;
-    const float v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const float h_b = (1.0F - k_b*w_b)/(1.0e-30F + (1.0F + w_b)*(1.0F - w_b));
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
+
+    /* reach_b: p by the scale, but for a number [1] */
+    const float reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const float stretch_b = 2.0F*reach_b;
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const float nu_u_6 = 2.0F*k_b*v_b_0;
-    const float nu_u_7 = 2.0F*k_b*v_b_1;
-    const float nu_u_8 = 2.0F*k_b*v_b_2;
+    const float nu_u_6 = power_b_0*stretch_b;
+    const float nu_u_7 = power_b_1*stretch_b;
+    const float nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const float turn_a_0 = nu_2*v_a_1 - nu_1*v_a_2;
@@ -917,15 +1017,15 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const float turn_b_0 = nu_8*v_b_1 - nu_7*v_b_2;
-    const float turn_b_1 = nu_6*v_b_2 - nu_8*v_b_0;
-    const float turn_b_2 = nu_7*v_b_0 - nu_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const float turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2;
+    const float turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0;
+    const float turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const float bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const float bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const float bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const float nu_u_dot_0 = nu_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -934,9 +1034,9 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     const float nu_u_dot_3 = nu_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const float nu_u_dot_4 = nu_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const float nu_u_dot_5 = nu_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const float nu_u_dot_6 = nu_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const float nu_u_dot_7 = nu_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const float nu_u_dot_8 = nu_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const float nu_u_dot_6 = nu_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const float nu_u_dot_7 = nu_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const float nu_u_dot_8 = nu_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const float drive_0 = phi_a_0*rate_gain;
@@ -1148,11 +1248,35 @@ void two_bodies_f32_plant(const two_bodies_f32_params *params, const two_bodies_
     nu_dot[8] = back_8;
 }
 
-/* What the state and the reference are worth. */
-static two_bodies_f32_status two_bodies_f32_judge(const two_bodies_f32_state *state,
-        const two_bodies_f32_reference *reference)
+/* The worse of two findings. */
+static two_bodies_f32_status two_bodies_f32_worse(const two_bodies_f32_status a,
+        const two_bodies_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static two_bodies_f32_status two_bodies_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     two_bodies_f32_status worst = TWO_BODIES_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = TWO_BODIES_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = two_bodies_f32_worse(worst, TWO_BODIES_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static two_bodies_f32_status two_bodies_f32_refuse(const two_bodies_f32_state *state,
+        const two_bodies_f32_reference *reference, const two_bodies_f32_status found,
+        two_bodies_f32_command *command)
+{
+    two_bodies_f32_status worst = found;
     worst = two_bodies_f32_worse(worst,
             two_bodies_f32_inspect(state->g, 25, TWO_BODIES_F32_MAX_INPUT));
     worst = two_bodies_f32_worse(worst,
@@ -1163,28 +1287,20 @@ static two_bodies_f32_status two_bodies_f32_judge(const two_bodies_f32_state *st
             two_bodies_f32_inspect(reference->nu, 9, TWO_BODIES_F32_MAX_INPUT));
     worst = two_bodies_f32_worse(worst,
             two_bodies_f32_inspect(reference->nu_dot, 9, TWO_BODIES_F32_MAX_INPUT));
-    if (worst == TWO_BODIES_F32_OK) {
-        worst = two_bodies_f32_on_group(state->g);
-    }
-    if (worst == TWO_BODIES_F32_OK) {
-        worst = two_bodies_f32_on_group(reference->g);
-    }
+    two_bodies_f32_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static two_bodies_f32_status two_bodies_f32_verdict(const two_bodies_f32_command *command,
-        const float clearance)
+static two_bodies_f32_status two_bodies_f32_verdict(const float clearance,
+        two_bodies_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 9; i++) {
-            if (!isfinite(rows[row][i])) {
-                return TWO_BODIES_F32_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
+            && isfinite(command->force[3]) && isfinite(command->force[4])
+            && isfinite(command->force[5]) && isfinite(command->force[6])
+            && isfinite(command->force[7]) && isfinite(command->force[8]))) {
+        two_bodies_f32_nothing(command);
+        return TWO_BODIES_F32_NONFINITE_INPUT;
     }
     return clearance < TWO_BODIES_F32_NEAR_CUT ? TWO_BODIES_F32_NEAR_CUT_LOCUS : TWO_BODIES_F32_OK;
 }
@@ -1193,22 +1309,147 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
         two_bodies_f32_command *command)
 {
+    float clearance;
 #ifdef TWO_BODIES_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
 #endif
-    static const two_bodies_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    two_bodies_f32_status status = two_bodies_f32_judge(state, reference);
-    if (status == TWO_BODIES_F32_OK) {
-        float clearance;
-        two_bodies_f32_law(params, state, reference, command, &clearance);
-        status = two_bodies_f32_verdict(command, clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
+        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
+        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
+        g_24 = state->g[24];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
+        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
+        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
+        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
+
+    /* gap_0_a: translation of g from g_r [m] */
+    const float gap_0_a_0 = g_3 - g_r_3;
+    const float gap_0_a_1 = g_7 - g_r_7;
+    const float gap_0_a_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const float g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
+    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const float g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
+    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const float g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
+    const float g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
+    const float g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
+    const float g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
+    const float g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
+    const float g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
+    const float g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
+    const float g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
+    const float g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
+    const float g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_1) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_3) <= TWO_BODIES_F32_MAX_REACH
+            && fabsf(g_e_4) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_5) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_6) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_7) <= TWO_BODIES_F32_MAX_REACH
+            && fabsf(g_e_8) <= TWO_BODIES_F32_MAX_ENTRY && fabsf(g_e_9) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_10) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_11) <= TWO_BODIES_F32_MAX_REACH
+            && fabsf(g_e_16) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_17) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_18) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_19) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_20) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_21) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_22) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_23) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(g_e_24) <= TWO_BODIES_F32_MAX_ENTRY
+            && fabsf(state->g[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->g[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->g[11]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[0]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[4]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[5]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[6]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(state->nu[8]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->g[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->g[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->g[11]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[4]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[5]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[6]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu[8]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[3]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[4]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[5]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[6]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[7]) <= TWO_BODIES_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[8]) <= TWO_BODIES_F32_MAX_INPUT)) {
+        const int is_near = fabsf(g_e_3) <= TWO_BODIES_F32_MAX_REACH
+                && fabsf(g_e_7) <= TWO_BODIES_F32_MAX_REACH
+                && fabsf(g_e_11) <= TWO_BODIES_F32_MAX_REACH;
+        return two_bodies_f32_refuse(state, reference,
+                is_near ? TWO_BODIES_F32_NOT_ON_GROUP : TWO_BODIES_F32_OUT_OF_RANGE, command);
     }
-    if (status >= TWO_BODIES_F32_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+    const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];
+    const float g_r_12 = reference->g[12], g_r_13 = reference->g[13], g_r_14 = reference->g[14],
+        g_r_15 = reference->g[15];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_4*g_e_4 + g_e_8*g_e_8;
+    const float off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const float off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const float off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const float off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const float off_6 = g_e_16*g_e_16 - 1.0F + g_e_19*g_e_19 + g_e_22*g_e_22;
+    const float off_7 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23;
+    const float off_8 = g_e_17*g_e_17 - 1.0F + g_e_20*g_e_20 + g_e_23*g_e_23;
+    const float off_9 = g_e_18 + g_e_20*g_e_22 - g_e_19*g_e_23;
+    const float off_10 = g_e_21 + g_e_16*g_e_23 - g_e_17*g_e_22;
+    const float off_11 = g_e_24 + g_e_17*g_e_19 - g_e_16*g_e_20;
+    const float off_15 = g_15 - 1.0F;
+    const float off_19 = g_r_15 - 1.0F;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_15*off_15 +
+        off_19*off_19 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 + off_6*off_6 +
+        off_7*off_7 + off_8*off_8 + off_9*off_9;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return two_bodies_f32_refuse(state, reference, TWO_BODIES_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = two_bodies_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, g_e_16, g_e_17, g_e_18,
+            g_e_19, g_e_20, g_e_21, g_e_22, g_e_23, g_e_24);
+    return two_bodies_f32_verdict(clearance, command);
 }
 
 two_bodies_f32_status two_bodies_f32_check_params(const two_bodies_f32_params *params)
@@ -1224,10 +1465,13 @@ two_bodies_f32_status two_bodies_f32_check_params(const two_bodies_f32_params *p
             {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= TWO_BODIES_F32_MAX_PARAM)) {
+    if (!(params->lambda >= TWO_BODIES_F32_MIN_GAIN && params->lambda <= TWO_BODIES_F32_MAX_RATE)) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= TWO_BODIES_F32_MAX_PARAM)) {
+    if (!(params->k_s >= TWO_BODIES_F32_MIN_GAIN && params->k_s <= TWO_BODIES_F32_MAX_RATE)) {
+        return TWO_BODIES_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= TWO_BODIES_F32_MOST_DRIFT)) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

@@ -15,6 +15,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -24,7 +28,8 @@ const two_bodies_f64_params two_bodies_f64_defaults = {
      0.15, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 12.0, 0.0, 0.0, 0.0, 0.0, 0.0, 12.0, 0.0, 0.0, 0.0, 0.0,
      12.0, 0.0, 0.0, 0.0, 0.0421, 0.0, 0.0, 0.0417, 0.0, 0.0067},
     0.08, /* lambda */
-    0.3 /* k_s */
+    0.3, /* k_s */
+    1.0e-6 /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -120,10 +125,57 @@ static inline double two_bodies_f64_m(const double w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void two_bodies_f64_law(const two_bodies_f64_params *params,
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void two_bodies_f64_nothing(two_bodies_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->force[3] = 0.0;
+    command->force[4] = 0.0;
+    command->force[5] = 0.0;
+    command->force[6] = 0.0;
+    command->force[7] = 0.0;
+    command->force[8] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->s[3] = 0.0;
+    command->s[4] = 0.0;
+    command->s[5] = 0.0;
+    command->s[6] = 0.0;
+    command->s[7] = 0.0;
+    command->s[8] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u[3] = 0.0;
+    command->nu_u[4] = 0.0;
+    command->nu_u[5] = 0.0;
+    command->nu_u[6] = 0.0;
+    command->nu_u[7] = 0.0;
+    command->nu_u[8] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+    command->nu_u_dot[3] = 0.0;
+    command->nu_u_dot[4] = 0.0;
+    command->nu_u_dot[5] = 0.0;
+    command->nu_u_dot[6] = 0.0;
+    command->nu_u_dot[7] = 0.0;
+    command->nu_u_dot[8] = 0.0;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static double two_bodies_f64_law(const two_bodies_f64_params *params,
         const two_bodies_f64_state *state, const two_bodies_f64_reference *reference,
-        two_bodies_f64_command *command, double *clearance)
+        two_bodies_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
+        const double g_e_3, const double g_e_4, const double g_e_5, const double g_e_6,
+        const double g_e_7, const double g_e_8, const double g_e_9, const double g_e_10,
+        const double g_e_11, const double g_e_16, const double g_e_17, const double g_e_18,
+        const double g_e_19, const double g_e_20, const double g_e_21, const double g_e_22,
+        const double g_e_23, const double g_e_24)
 {
     /* -- tracking -- */
     const double inertia_0 = params->inertia[0], inertia_2 = params->inertia[2],
@@ -134,22 +186,9 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
     const double rate_gain = params->lambda;
     const double reach_gain = params->k_s;
-    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
-        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
-        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
-        g_24 = state->g[24];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2], nu_3 = state->nu[3],
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
-    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
-        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
-        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
-        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
-        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
     const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2],
         nu_r_3 = reference->nu[3], nu_r_4 = reference->nu[4], nu_r_5 = reference->nu[5],
         nu_r_6 = reference->nu[6], nu_r_7 = reference->nu[7], nu_r_8 = reference->nu[8];
@@ -158,34 +197,6 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
         nu_r_dot_4 = reference->nu_dot[4], nu_r_dot_5 = reference->nu_dot[5],
         nu_r_dot_6 = reference->nu_dot[6], nu_r_dot_7 = reference->nu_dot[7],
         nu_r_dot_8 = reference->nu_dot[8];
-
-    /* gap_0_a: translation of g from g_r [m] */
-    const double gap_0_a_0 = g_3 - g_r_3;
-    const double gap_0_a_1 = g_7 - g_r_7;
-    const double gap_0_a_2 = g_11 - g_r_11;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const double g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
-    const double g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
-    const double g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
-    const double g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
-    const double g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
-    const double g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
-    const double g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
-    const double g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
-    const double g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
-    const double g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
-    const double g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
-    const double g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
-    const double g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
-    const double g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
-    const double g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
-    const double g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
-    const double g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
-    const double g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
-    const double g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
-    const double g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
-    const double g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
 
     /* eta_arm_0_a: velocity at p [m/s] */
     const double eta_arm_0_a_0 = nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2;
@@ -239,17 +250,23 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     const double eta_dot_8 = eta_6*nu_e_7 + g_e_18*nu_r_dot_6 + g_e_21*nu_r_dot_7 +
         g_e_24*nu_r_dot_8 - eta_7*nu_e_6;
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const double pairs_a_0 = 1.0 + g_e_0;
+    const double pairs_a_1 = 1.0 - g_e_0;
+    const double pairs_a_2 = g_e_10 + g_e_5;
+    const double pairs_a_3 = g_e_5 - g_e_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_a_0 = 1.0 + g_e_0 - g_e_10 - g_e_5;
+    const double B_a_0 = pairs_a_0 - pairs_a_2;
     const double B_a_1 = g_e_1 + g_e_4;
     const double B_a_2 = g_e_2 + g_e_8;
     const double B_a_3 = g_e_9 - g_e_6;
-    const double B_a_4 = 1.0 + g_e_5 - g_e_0 - g_e_10;
+    const double B_a_4 = pairs_a_1 + pairs_a_3;
     const double B_a_5 = g_e_6 + g_e_9;
     const double B_a_6 = g_e_2 - g_e_8;
-    const double B_a_7 = 1.0 + g_e_10 - g_e_0 - g_e_5;
+    const double B_a_7 = pairs_a_1 - pairs_a_3;
     const double B_a_8 = g_e_4 - g_e_1;
-    const double B_a_9 = 1.0 + g_e_0 + g_e_10 + g_e_5;
+    const double B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     double column_a_0, column_a_1, column_a_2, column_a_3;
@@ -285,20 +302,44 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     const double power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
+    /* square_a: square of its vector part [1] */
+    const double square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const double norm_square_a = square_a + power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    double norm_bounded_a;
+    if (norm_square_a < 49.0) {
+        norm_bounded_a = 49.0;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
     /* norm_a: its length [1] */
-    const double norm_a = sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    const double norm_a = sqrt(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const double inverse_norm_a = 1.0/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     double scale_a;
     if (power_a_3 < 0.0) {
-        scale_a = -1.0/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0/norm_a;
+        scale_a = inverse_norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const double cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const double w_a = power_a_3*scale_a;
+    double w_a;
+    if (cosine_a > 1.0) {
+        w_a = 1.0;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const double v_a_0 = power_a_0*scale_a;
@@ -339,17 +380,23 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     const double y_p_a_1 = half_a*rho_p_a_1;
     const double y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const double pairs_b_0 = 1.0 + g_e_16;
+    const double pairs_b_1 = 1.0 - g_e_16;
+    const double pairs_b_2 = g_e_20 + g_e_24;
+    const double pairs_b_3 = g_e_20 - g_e_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_b_0 = 1.0 + g_e_16 - g_e_20 - g_e_24;
+    const double B_b_0 = pairs_b_0 - pairs_b_2;
     const double B_b_1 = g_e_17 + g_e_19;
     const double B_b_2 = g_e_18 + g_e_22;
     const double B_b_3 = g_e_23 - g_e_21;
-    const double B_b_4 = 1.0 + g_e_20 - g_e_16 - g_e_24;
+    const double B_b_4 = pairs_b_1 + pairs_b_3;
     const double B_b_5 = g_e_21 + g_e_23;
     const double B_b_6 = g_e_18 - g_e_22;
-    const double B_b_7 = 1.0 + g_e_24 - g_e_16 - g_e_20;
+    const double B_b_7 = pairs_b_1 - pairs_b_3;
     const double B_b_8 = g_e_19 - g_e_17;
-    const double B_b_9 = 1.0 + g_e_16 + g_e_20 + g_e_24;
+    const double B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     double column_b_0, column_b_1, column_b_2, column_b_3;
@@ -385,31 +432,48 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     const double power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
+    /* square_b: square of its vector part [1] */
+    const double square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const double norm_square_b = square_b + power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    double norm_bounded_b;
+    if (norm_square_b < 49.0) {
+        norm_bounded_b = 49.0;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
     /* norm_b: its length [1] */
-    const double norm_b = sqrt(1.0e-290 + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    const double norm_b = sqrt(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const double inverse_norm_b = 1.0/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     double scale_b;
     if (power_b_3 < 0.0) {
-        scale_b = -1.0/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const double w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const double v_b_0 = power_b_0*scale_b;
-    const double v_b_1 = power_b_1*scale_b;
-    const double v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const double k_b = two_bodies_f64_k(w_b);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h_b = (1.0 - k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b));
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17);
+
+    /* reach_b: p by the scale, but for a number [1] */
+    const double reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const double stretch_b = 2.0*reach_b;
 
     /* clearance_0: the smaller clearance [1] */
     double clearance_0;
@@ -420,9 +484,9 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     }
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const double nu_u_6 = 2.0*k_b*v_b_0;
-    const double nu_u_7 = 2.0*k_b*v_b_1;
-    const double nu_u_8 = 2.0*k_b*v_b_2;
+    const double nu_u_6 = power_b_0*stretch_b;
+    const double nu_u_7 = power_b_1*stretch_b;
+    const double nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const double turn_a_0 = nu_e_2*v_a_1 - nu_e_1*v_a_2;
@@ -454,15 +518,15 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const double twofold_a = h_a*h_a - 0.5*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const double turn_b_0 = nu_e_8*v_b_1 - nu_e_7*v_b_2;
-    const double turn_b_1 = nu_e_6*v_b_2 - nu_e_8*v_b_0;
-    const double turn_b_2 = nu_e_7*v_b_0 - nu_e_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const double turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2;
+    const double turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0;
+    const double turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const double bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const double bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const double bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const double bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const double bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const double bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const double nu_u_dot_0 = nu_e_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -471,9 +535,9 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     const double nu_u_dot_3 = nu_e_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const double nu_u_dot_4 = nu_e_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const double nu_u_dot_5 = nu_e_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const double nu_u_dot_6 = nu_e_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const double nu_u_dot_7 = nu_e_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const double nu_u_dot_8 = nu_e_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const double nu_u_dot_6 = nu_e_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const double nu_u_dot_7 = nu_e_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const double nu_u_dot_8 = nu_e_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const double drive_0 = phi_a_0*rate_gain;
@@ -508,16 +572,16 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     const double wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7;
     const double wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
-    const double turning_3 = drive_3 - eta_3;
-    const double turning_4 = drive_4 - eta_4;
-    const double turning_5 = drive_5 - eta_5;
-    const double turning_6 = drive_6 - eta_6;
-    const double turning_7 = drive_7 - eta_7;
-    const double turning_8 = drive_8 - eta_8;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
+    const double turning_3 = s_3 - nu_3;
+    const double turning_4 = s_4 - nu_4;
+    const double turning_5 = s_5 - nu_5;
+    const double turning_6 = s_6 - nu_6;
+    const double turning_7 = s_7 - nu_7;
+    const double turning_8 = s_8 - nu_8;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4;
@@ -583,56 +647,7 @@ static void two_bodies_f64_law(const two_bodies_f64_params *params,
     command->nu_u_dot[6] = nu_u_dot_6;
     command->nu_u_dot[7] = nu_u_dot_7;
     command->nu_u_dot[8] = nu_u_dot_8;
-    *clearance = clearance_0;
-}
-
-/* distance of stored numbers from the group. */
-static void two_bodies_f64_residual(const double g[25], double residual[18])
-{
-    /* -- residual -- */
-    const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
-        g_9 = g[9], g_10 = g[10], g_12 = g[12], g_13 = g[13], g_14 = g[14], g_15 = g[15],
-        g_16 = g[16], g_17 = g[17], g_18 = g[18], g_19 = g[19], g_20 = g[20], g_21 = g[21],
-        g_22 = g[22], g_23 = g[23], g_24 = g[24];
-
-    /* off: deviation from the group [1] */
-    const double off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8;
-    const double off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const double off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const double off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9;
-    const double off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const double off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6;
-    const double off_6 = g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const double off_10 = g_15 - 1.0;
-    const double off_11 = g_16*g_16 - 1.0 + g_19*g_19 + g_22*g_22;
-    const double off_12 = g_16*g_17 + g_19*g_20 + g_22*g_23;
-    const double off_13 = g_16*g_18 + g_19*g_21 + g_22*g_24;
-    const double off_14 = g_17*g_17 - 1.0 + g_20*g_20 + g_23*g_23;
-    const double off_15 = g_17*g_18 + g_20*g_21 + g_23*g_24;
-    const double off_16 = g_18*g_18 - 1.0 + g_21*g_21 + g_24*g_24;
-    const double off_17 = g_16*g_20*g_24 - 1.0 + g_17*g_21*g_22 + g_18*g_19*g_23 - g_16*g_21*g_23 -
-        g_17*g_19*g_24 - g_18*g_20*g_22;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
-    residual[11] = off_11;
-    residual[12] = off_12;
-    residual[13] = off_13;
-    residual[14] = off_14;
-    residual[15] = off_15;
-    residual[16] = off_16;
-    residual[17] = off_17;
+    return clearance_0;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -646,20 +661,44 @@ static void two_bodies_f64_definiteness(const two_bodies_f64_params *params, dou
         inertia_35 = params->inertia[35], inertia_39 = params->inertia[39],
         inertia_42 = params->inertia[42], inertia_44 = params->inertia[44];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const double lower_40 = inertia_4/inertia_0;
+    const double lower_40 = inertia_4/divisor_0;
+
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_1;
+    if (inertia_9 > 0.0) {
+        divisor_1 = inertia_9;
+    } else {
+        divisor_1 = 1.0;
+    }
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const double lower_31 = inertia_11/inertia_9;
+    const double lower_31 = inertia_11/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_17 - inertia_0*lower_20*lower_20;
 
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_2;
+    if (pivot_2 > 0.0) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0;
+    }
+
     /* lower_42: I = L D L^T, entry of L [1] */
-    const double lower_42 = -inertia_0*lower_20*lower_40/pivot_2;
+    const double lower_42 = -inertia_0*lower_20*lower_40/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const double pivot_3 = inertia_24 - inertia_9*lower_31*lower_31;
@@ -679,48 +718,56 @@ static void two_bodies_f64_definiteness(const two_bodies_f64_params *params, dou
     pivot[8] = inertia_44;
 }
 
-/* The worse of two findings. */
-static two_bodies_f64_status two_bodies_f64_worse(const two_bodies_f64_status a,
-        const two_bodies_f64_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static two_bodies_f64_status two_bodies_f64_inspect(const double *numbers, const int count,
-        const double limit)
-{
-    two_bodies_f64_status worst = TWO_BODIES_F64_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = TWO_BODIES_F64_NONFINITE_INPUT;
-        } else if (fabs(numbers[i]) > limit) {
-            worst = two_bodies_f64_worse(worst, TWO_BODIES_F64_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static two_bodies_f64_status two_bodies_f64_on_group(const double g[25])
-{
-    double residual[18];
-    int i;
-    two_bodies_f64_residual(g, residual);
-    for (i = 0; i < 18; i++) {
-        if (!(fabs(residual[i]) <= TWO_BODIES_F64_MAX_DRIFT)) {
-            return TWO_BODIES_F64_NOT_ON_GROUP;
-        }
-    }
-    return TWO_BODIES_F64_OK;
-}
-
 void two_bodies_f64_tracking(const two_bodies_f64_params *params, const two_bodies_f64_state *state,
         const two_bodies_f64_reference *reference, two_bodies_f64_command *command)
 {
-    double clearance;
-    two_bodies_f64_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
+        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
+        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
+        g_24 = state->g[24];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
+        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
+        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
+        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
+
+    /* gap_0_a: translation of g from g_r [m] */
+    const double gap_0_a_0 = g_3 - g_r_3;
+    const double gap_0_a_1 = g_7 - g_r_7;
+    const double gap_0_a_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const double g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const double g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const double g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
+    const double g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const double g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const double g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const double g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
+    const double g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const double g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const double g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const double g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
+    const double g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
+    const double g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
+    const double g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
+    const double g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
+    const double g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
+    const double g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
+    const double g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
+    const double g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
+    const double g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
+
+    /* -- end -- */
+    (void)two_bodies_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, g_e_16, g_e_17, g_e_18, g_e_19,
+            g_e_20, g_e_21, g_e_22, g_e_23, g_e_24);
 }
 
 void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodies_f64_state *state,
@@ -745,17 +792,23 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
         nu_4 = state->nu[4], nu_5 = state->nu[5], nu_6 = state->nu[6], nu_7 = state->nu[7],
         nu_8 = state->nu[8];
 
+    /* pairs_a: what B's diagonal is made of [1] */
+    const double pairs_a_0 = 1.0 + g_0;
+    const double pairs_a_1 = 1.0 - g_0;
+    const double pairs_a_2 = g_10 + g_5;
+    const double pairs_a_3 = g_5 - g_10;
+
     /* B_a: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_a_0 = 1.0 + g_0 - g_10 - g_5;
+    const double B_a_0 = pairs_a_0 - pairs_a_2;
     const double B_a_1 = g_1 + g_4;
     const double B_a_2 = g_2 + g_8;
     const double B_a_3 = g_9 - g_6;
-    const double B_a_4 = 1.0 + g_5 - g_0 - g_10;
+    const double B_a_4 = pairs_a_1 + pairs_a_3;
     const double B_a_5 = g_6 + g_9;
     const double B_a_6 = g_2 - g_8;
-    const double B_a_7 = 1.0 + g_10 - g_0 - g_5;
+    const double B_a_7 = pairs_a_1 - pairs_a_3;
     const double B_a_8 = g_4 - g_1;
-    const double B_a_9 = 1.0 + g_0 + g_10 + g_5;
+    const double B_a_9 = pairs_a_0 + pairs_a_2;
 
     /* column_a: a column of B that cannot vanish [1] */
     double column_a_0, column_a_1, column_a_2, column_a_3;
@@ -791,20 +844,44 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     const double power_a_3 = B_a_3*column_a_0 + B_a_6*column_a_1 + B_a_8*column_a_2 +
         B_a_9*column_a_3;
 
+    /* square_a: square of its vector part [1] */
+    const double square_a = power_a_0*power_a_0 + power_a_1*power_a_1 + power_a_2*power_a_2;
+
+    /* norm_square_a: its squared length [1] */
+    const double norm_square_a = square_a + power_a_3*power_a_3;
+
+    /* norm_bounded_a: the same: less is no element [1] */
+    double norm_bounded_a;
+    if (norm_square_a < 49.0) {
+        norm_bounded_a = 49.0;
+    } else {
+        norm_bounded_a = norm_square_a;
+    }
+
     /* norm_a: its length [1] */
-    const double norm_a = sqrt(1.0e-290 + power_a_0*power_a_0 + power_a_1*power_a_1 +
-        power_a_2*power_a_2 + power_a_3*power_a_3);
+    const double norm_a = sqrt(norm_bounded_a);
+
+    /* inverse_norm_a: to unit length [1] */
+    const double inverse_norm_a = 1.0/norm_a;
 
     /* scale_a: to unit length, and to w >= 0: the shorter way round [1] */
     double scale_a;
     if (power_a_3 < 0.0) {
-        scale_a = -1.0/norm_a;
+        scale_a = -inverse_norm_a;
     } else {
-        scale_a = 1.0/norm_a;
+        scale_a = inverse_norm_a;
     }
 
+    /* cosine_a: cos of half the error angle, rounded [1] */
+    const double cosine_a = power_a_3*scale_a;
+
     /* w_a: cos of half the error angle [1] */
-    const double w_a = power_a_3*scale_a;
+    double w_a;
+    if (cosine_a > 1.0) {
+        w_a = 1.0;
+    } else {
+        w_a = cosine_a;
+    }
 
     /* v_a: sin of half the error angle times its axis [1] */
     const double v_a_0 = power_a_0*scale_a;
@@ -845,17 +922,23 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     const double y_p_a_1 = half_a*rho_p_a_1;
     const double y_p_a_2 = half_a*rho_p_a_2;
 
+    /* pairs_b: what B's diagonal is made of [1] */
+    const double pairs_b_0 = 1.0 + g_16;
+    const double pairs_b_1 = 1.0 - g_16;
+    const double pairs_b_2 = g_20 + g_24;
+    const double pairs_b_3 = g_20 - g_24;
+
     /* B_b: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_b_0 = 1.0 + g_16 - g_20 - g_24;
+    const double B_b_0 = pairs_b_0 - pairs_b_2;
     const double B_b_1 = g_17 + g_19;
     const double B_b_2 = g_18 + g_22;
     const double B_b_3 = g_23 - g_21;
-    const double B_b_4 = 1.0 + g_20 - g_16 - g_24;
+    const double B_b_4 = pairs_b_1 + pairs_b_3;
     const double B_b_5 = g_21 + g_23;
     const double B_b_6 = g_18 - g_22;
-    const double B_b_7 = 1.0 + g_24 - g_16 - g_20;
+    const double B_b_7 = pairs_b_1 - pairs_b_3;
     const double B_b_8 = g_19 - g_17;
-    const double B_b_9 = 1.0 + g_16 + g_20 + g_24;
+    const double B_b_9 = pairs_b_0 + pairs_b_2;
 
     /* column_b: a column of B that cannot vanish [1] */
     double column_b_0, column_b_1, column_b_2, column_b_3;
@@ -891,36 +974,53 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     const double power_b_3 = B_b_3*column_b_0 + B_b_6*column_b_1 + B_b_8*column_b_2 +
         B_b_9*column_b_3;
 
+    /* square_b: square of its vector part [1] */
+    const double square_b = power_b_0*power_b_0 + power_b_1*power_b_1 + power_b_2*power_b_2;
+
+    /* norm_square_b: its squared length [1] */
+    const double norm_square_b = square_b + power_b_3*power_b_3;
+
+    /* norm_bounded_b: the same: less is no element [1] */
+    double norm_bounded_b;
+    if (norm_square_b < 49.0) {
+        norm_bounded_b = 49.0;
+    } else {
+        norm_bounded_b = norm_square_b;
+    }
+
     /* norm_b: its length [1] */
-    const double norm_b = sqrt(1.0e-290 + power_b_0*power_b_0 + power_b_1*power_b_1 +
-        power_b_2*power_b_2 + power_b_3*power_b_3);
+    const double norm_b = sqrt(norm_bounded_b);
+
+    /* inverse_norm_b: to unit length [1] */
+    const double inverse_norm_b = 1.0/norm_b;
 
     /* scale_b: to unit length, and to w >= 0: the shorter way round [1] */
     double scale_b;
     if (power_b_3 < 0.0) {
-        scale_b = -1.0/norm_b;
+        scale_b = -inverse_norm_b;
     } else {
-        scale_b = 1.0/norm_b;
+        scale_b = inverse_norm_b;
     }
 
     /* w_b: cos of half the error angle [1] */
     const double w_b = power_b_3*scale_b;
 
-    /* v_b: sin of half the error angle times its axis [1] */
-    const double v_b_0 = power_b_0*scale_b;
-    const double v_b_1 = power_b_1*scale_b;
-    const double v_b_2 = power_b_2*scale_b;
-
     /* k_b: half angle over its sine [1] */
     const double k_b = two_bodies_f64_k(w_b);
 
-    /* h_b: -dk/dw, as (1 - w k)/s^2 [1] */
-    const double h_b = (1.0 - k_b*w_b)/(1.0e-290 + (1.0 + w_b)*(1.0 - w_b));
+    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const double h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17);
+
+    /* reach_b: p by the scale, but for a number [1] */
+    const double reach_b = k_b*scale_b;
+
+    /* stretch_b: ratio of nu_u to the vector part [1] */
+    const double stretch_b = 2.0*reach_b;
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
-    const double nu_u_6 = 2.0*k_b*v_b_0;
-    const double nu_u_7 = 2.0*k_b*v_b_1;
-    const double nu_u_8 = 2.0*k_b*v_b_2;
+    const double nu_u_6 = power_b_0*stretch_b;
+    const double nu_u_7 = power_b_1*stretch_b;
+    const double nu_u_8 = power_b_2*stretch_b;
 
     /* turn_a: Y nu_e, Y = ad of y [rad/s, m/s] */
     const double turn_a_0 = nu_2*v_a_1 - nu_1*v_a_2;
@@ -952,15 +1052,15 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const double twofold_a = h_a*h_a - 0.5*k_a*m_a;
 
-    /* turn_b: v x nu_e [rad/s] */
-    const double turn_b_0 = nu_8*v_b_1 - nu_7*v_b_2;
-    const double turn_b_1 = nu_6*v_b_2 - nu_8*v_b_0;
-    const double turn_b_2 = nu_7*v_b_0 - nu_6*v_b_1;
+    /* turn_b: vector part x nu_e, its share [rad/s] */
+    const double turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2;
+    const double turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0;
+    const double turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1;
 
-    /* bend_b: v x (v x nu_e) [rad/s] */
-    const double bend_b_0 = turn_b_2*v_b_1 - turn_b_1*v_b_2;
-    const double bend_b_1 = turn_b_0*v_b_2 - turn_b_2*v_b_0;
-    const double bend_b_2 = turn_b_1*v_b_0 - turn_b_0*v_b_1;
+    /* bend_b: vector part x that [rad/s] */
+    const double bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
+    const double bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
+    const double bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
 
     /* nu_u_dot: exact rate of nu_u [rad/s, m/s] */
     const double nu_u_dot_0 = nu_0 + bend_a_0*h_a + k_a*turn_a_0;
@@ -969,9 +1069,9 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     const double nu_u_dot_3 = nu_3 + bend_a_3*h_a + k_a*turn_a_3 + tail_a_3*twofold_a;
     const double nu_u_dot_4 = nu_4 + bend_a_4*h_a + k_a*turn_a_4 + tail_a_4*twofold_a;
     const double nu_u_dot_5 = nu_5 + bend_a_5*h_a + k_a*turn_a_5 + tail_a_5*twofold_a;
-    const double nu_u_dot_6 = nu_6 + bend_b_0*h_b + k_b*turn_b_0;
-    const double nu_u_dot_7 = nu_7 + bend_b_1*h_b + k_b*turn_b_1;
-    const double nu_u_dot_8 = nu_8 + bend_b_2*h_b + k_b*turn_b_2;
+    const double nu_u_dot_6 = nu_6 + bend_b_0*h_raw_b + reach_b*turn_b_0;
+    const double nu_u_dot_7 = nu_7 + bend_b_1*h_raw_b + reach_b*turn_b_1;
+    const double nu_u_dot_8 = nu_8 + bend_b_2*h_raw_b + reach_b*turn_b_2;
 
     /* drive: lambda nu_u [rad/s, m/s] */
     const double drive_0 = phi_a_0*rate_gain;
@@ -1183,11 +1283,35 @@ void two_bodies_f64_plant(const two_bodies_f64_params *params, const two_bodies_
     nu_dot[8] = back_8;
 }
 
-/* What the state and the reference are worth. */
-static two_bodies_f64_status two_bodies_f64_judge(const two_bodies_f64_state *state,
-        const two_bodies_f64_reference *reference)
+/* The worse of two findings. */
+static two_bodies_f64_status two_bodies_f64_worse(const two_bodies_f64_status a,
+        const two_bodies_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static two_bodies_f64_status two_bodies_f64_inspect(const double *numbers, const int count,
+        const double limit)
 {
     two_bodies_f64_status worst = TWO_BODIES_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = TWO_BODIES_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = two_bodies_f64_worse(worst, TWO_BODIES_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static two_bodies_f64_status two_bodies_f64_refuse(const two_bodies_f64_state *state,
+        const two_bodies_f64_reference *reference, const two_bodies_f64_status found,
+        two_bodies_f64_command *command)
+{
+    two_bodies_f64_status worst = found;
     worst = two_bodies_f64_worse(worst,
             two_bodies_f64_inspect(state->g, 25, TWO_BODIES_F64_MAX_INPUT));
     worst = two_bodies_f64_worse(worst,
@@ -1198,28 +1322,20 @@ static two_bodies_f64_status two_bodies_f64_judge(const two_bodies_f64_state *st
             two_bodies_f64_inspect(reference->nu, 9, TWO_BODIES_F64_MAX_INPUT));
     worst = two_bodies_f64_worse(worst,
             two_bodies_f64_inspect(reference->nu_dot, 9, TWO_BODIES_F64_MAX_INPUT));
-    if (worst == TWO_BODIES_F64_OK) {
-        worst = two_bodies_f64_on_group(state->g);
-    }
-    if (worst == TWO_BODIES_F64_OK) {
-        worst = two_bodies_f64_on_group(reference->g);
-    }
+    two_bodies_f64_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static two_bodies_f64_status two_bodies_f64_verdict(const two_bodies_f64_command *command,
-        const double clearance)
+static two_bodies_f64_status two_bodies_f64_verdict(const double clearance,
+        two_bodies_f64_command *command)
 {
-    const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 9; i++) {
-            if (!isfinite(rows[row][i])) {
-                return TWO_BODIES_F64_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
+            && isfinite(command->force[3]) && isfinite(command->force[4])
+            && isfinite(command->force[5]) && isfinite(command->force[6])
+            && isfinite(command->force[7]) && isfinite(command->force[8]))) {
+        two_bodies_f64_nothing(command);
+        return TWO_BODIES_F64_NONFINITE_INPUT;
     }
     return clearance < TWO_BODIES_F64_NEAR_CUT ? TWO_BODIES_F64_NEAR_CUT_LOCUS : TWO_BODIES_F64_OK;
 }
@@ -1228,22 +1344,142 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
         const two_bodies_f64_state *state, const two_bodies_f64_reference *reference,
         two_bodies_f64_command *command)
 {
+    double clearance;
 #ifdef TWO_BODIES_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return TWO_BODIES_F64_BAD_PARAMS;
     }
 #endif
-    static const two_bodies_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
-    two_bodies_f64_status status = two_bodies_f64_judge(state, reference);
-    if (status == TWO_BODIES_F64_OK) {
-        double clearance;
-        two_bodies_f64_law(params, state, reference, command, &clearance);
-        status = two_bodies_f64_verdict(command, clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11],
+        g_16 = state->g[16], g_17 = state->g[17], g_18 = state->g[18], g_19 = state->g[19],
+        g_20 = state->g[20], g_21 = state->g[21], g_22 = state->g[22], g_23 = state->g[23],
+        g_24 = state->g[24];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11],
+        g_r_16 = reference->g[16], g_r_17 = reference->g[17], g_r_18 = reference->g[18],
+        g_r_19 = reference->g[19], g_r_20 = reference->g[20], g_r_21 = reference->g[21],
+        g_r_22 = reference->g[22], g_r_23 = reference->g[23], g_r_24 = reference->g[24];
+
+    /* gap_0_a: translation of g from g_r [m] */
+    const double gap_0_a_0 = g_3 - g_r_3;
+    const double gap_0_a_1 = g_7 - g_r_7;
+    const double gap_0_a_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const double g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const double g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const double g_e_3 = g_r_0*gap_0_a_0 + g_r_4*gap_0_a_1 + g_r_8*gap_0_a_2;
+    const double g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const double g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const double g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const double g_e_7 = g_r_1*gap_0_a_0 + g_r_5*gap_0_a_1 + g_r_9*gap_0_a_2;
+    const double g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const double g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const double g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const double g_e_11 = g_r_10*gap_0_a_2 + g_r_2*gap_0_a_0 + g_r_6*gap_0_a_1;
+    const double g_e_16 = g_16*g_r_16 + g_19*g_r_19 + g_22*g_r_22;
+    const double g_e_17 = g_17*g_r_16 + g_20*g_r_19 + g_23*g_r_22;
+    const double g_e_18 = g_18*g_r_16 + g_21*g_r_19 + g_24*g_r_22;
+    const double g_e_19 = g_16*g_r_17 + g_19*g_r_20 + g_22*g_r_23;
+    const double g_e_20 = g_17*g_r_17 + g_20*g_r_20 + g_23*g_r_23;
+    const double g_e_21 = g_18*g_r_17 + g_21*g_r_20 + g_24*g_r_23;
+    const double g_e_22 = g_16*g_r_18 + g_19*g_r_21 + g_22*g_r_24;
+    const double g_e_23 = g_17*g_r_18 + g_20*g_r_21 + g_23*g_r_24;
+    const double g_e_24 = g_18*g_r_18 + g_21*g_r_21 + g_24*g_r_24;
+
+    /* -- end -- */
+    if (!(fabs(g_e_0) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_1) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_2) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_3) <= TWO_BODIES_F64_MAX_REACH
+            && fabs(g_e_4) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_5) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_6) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_7) <= TWO_BODIES_F64_MAX_REACH
+            && fabs(g_e_8) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_9) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_10) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_11) <= TWO_BODIES_F64_MAX_REACH
+            && fabs(g_e_16) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_17) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_18) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_19) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_20) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_21) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_22) <= TWO_BODIES_F64_MAX_ENTRY && fabs(g_e_23) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(g_e_24) <= TWO_BODIES_F64_MAX_ENTRY
+            && fabs(state->g[3]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->g[7]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->g[11]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[0]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[1]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[2]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[3]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[4]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[5]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[6]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[7]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(state->nu[8]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->g[3]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->g[7]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->g[11]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[0]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[1]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[2]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[3]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[4]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[5]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[6]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[7]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu[8]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[0]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[1]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[2]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[3]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[4]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[5]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[6]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[7]) <= TWO_BODIES_F64_MAX_INPUT
+            && fabs(reference->nu_dot[8]) <= TWO_BODIES_F64_MAX_INPUT)) {
+        const int is_near = fabs(g_e_3) <= TWO_BODIES_F64_MAX_REACH
+                && fabs(g_e_7) <= TWO_BODIES_F64_MAX_REACH
+                && fabs(g_e_11) <= TWO_BODIES_F64_MAX_REACH;
+        return two_bodies_f64_refuse(state, reference,
+                is_near ? TWO_BODIES_F64_NOT_ON_GROUP : TWO_BODIES_F64_OUT_OF_RANGE, command);
     }
-    if (status >= TWO_BODIES_F64_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+    const double g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];
+    const double g_r_12 = reference->g[12], g_r_13 = reference->g[13], g_r_14 = reference->g[14],
+        g_r_15 = reference->g[15];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8;
+    const double off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
+    const double off_2 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const double off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const double off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const double off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const double off_6 = g_e_16*g_e_16 - 1.0 + g_e_19*g_e_19 + g_e_22*g_e_22;
+    const double off_7 = g_e_16*g_e_17 + g_e_19*g_e_20 + g_e_22*g_e_23;
+    const double off_8 = g_e_17*g_e_17 - 1.0 + g_e_20*g_e_20 + g_e_23*g_e_23;
+    const double off_9 = g_e_18 + g_e_20*g_e_22 - g_e_19*g_e_23;
+    const double off_10 = g_e_21 + g_e_16*g_e_23 - g_e_17*g_e_22;
+    const double off_11 = g_e_24 + g_e_17*g_e_19 - g_e_16*g_e_20;
+    const double off_15 = g_15 - 1.0;
+    const double off_19 = g_r_15 - 1.0;
+
+    /* drift: square of the distance from the group [1] */
+    const double drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_10*off_10 + off_11*off_11 + off_15*off_15 +
+        off_19*off_19 + off_2*off_2 + off_3*off_3 + off_4*off_4 + off_5*off_5 + off_6*off_6 +
+        off_7*off_7 + off_8*off_8 + off_9*off_9;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return two_bodies_f64_refuse(state, reference, TWO_BODIES_F64_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = two_bodies_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11, g_e_16, g_e_17, g_e_18,
+            g_e_19, g_e_20, g_e_21, g_e_22, g_e_23, g_e_24);
+    return two_bodies_f64_verdict(clearance, command);
 }
 
 two_bodies_f64_status two_bodies_f64_check_params(const two_bodies_f64_params *params)
@@ -1259,10 +1495,13 @@ two_bodies_f64_status two_bodies_f64_check_params(const two_bodies_f64_params *p
             {
         return TWO_BODIES_F64_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0 && params->lambda <= TWO_BODIES_F64_MAX_PARAM)) {
+    if (!(params->lambda >= TWO_BODIES_F64_MIN_GAIN && params->lambda <= TWO_BODIES_F64_MAX_RATE)) {
         return TWO_BODIES_F64_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0 && params->k_s <= TWO_BODIES_F64_MAX_PARAM)) {
+    if (!(params->k_s >= TWO_BODIES_F64_MIN_GAIN && params->k_s <= TWO_BODIES_F64_MAX_RATE)) {
+        return TWO_BODIES_F64_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0 && params->max_drift <= TWO_BODIES_F64_MOST_DRIFT)) {
         return TWO_BODIES_F64_BAD_PARAMS;
     }
     if (fabs(params->inertia[1]) > 0.0) {

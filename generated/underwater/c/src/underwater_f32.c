@@ -14,6 +14,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -22,7 +26,8 @@ const underwater_f32_params underwater_f32_defaults = {
     {2.65625F, -0.0875F, 0.175F, 0.12F, -2.6F, -0.1F, 10.82F, 0.0875F, 2.1F, 0.1F, 1.4F, 10.64625F,
      0.05F, -1.2F, 0.1F, 66.0F, 0.7F, -0.9F, 102.0F, 0.4F, 118.0F},
     0.25F, /* lambda */
-    0.6F /* k_s */
+    0.6F, /* k_s */
+    0.0001F /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -82,10 +87,43 @@ static inline float underwater_f32_m(const float w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void underwater_f32_law(const underwater_f32_params *params,
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void underwater_f32_nothing(underwater_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->force[3] = 0.0F;
+    command->force[4] = 0.0F;
+    command->force[5] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->s[3] = 0.0F;
+    command->s[4] = 0.0F;
+    command->s[5] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u[3] = 0.0F;
+    command->nu_u[4] = 0.0F;
+    command->nu_u[5] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+    command->nu_u_dot[3] = 0.0F;
+    command->nu_u_dot[4] = 0.0F;
+    command->nu_u_dot[5] = 0.0F;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float underwater_f32_law(const underwater_f32_params *params,
         const underwater_f32_state *state, const underwater_f32_reference *reference,
-        underwater_f32_command *command, float *clearance)
+        underwater_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
+        const float g_e_3, const float g_e_4, const float g_e_5, const float g_e_6,
+        const float g_e_7, const float g_e_8, const float g_e_9, const float g_e_10,
+        const float g_e_11)
 {
     /* -- tracking -- */
     const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -101,42 +139,16 @@ static void underwater_f32_law(const underwater_f32_params *params,
         inertia_20 = params->inertia[20];
     const float rate_gain = params->lambda;
     const float reach_gain = params->k_s;
-    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11];
     const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2], nu_3 = state->nu[3],
         nu_4 = state->nu[4], nu_5 = state->nu[5];
     const float external_0 = state->external[0], external_1 = state->external[1],
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
-    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
-        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11];
     const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2],
         nu_r_3 = reference->nu[3], nu_r_4 = reference->nu[4], nu_r_5 = reference->nu[5];
     const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2], nu_r_dot_3 = reference->nu_dot[3],
         nu_r_dot_4 = reference->nu_dot[4], nu_r_dot_5 = reference->nu_dot[5];
-
-    /* gap_0: translation of g from g_r [m] */
-    const float gap_0_0 = g_3 - g_r_3;
-    const float gap_0_1 = g_7 - g_r_7;
-    const float gap_0_2 = g_11 - g_r_11;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
-    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
-    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
-    const float g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2;
-    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
-    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
-    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
-    const float g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2;
-    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
-    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
-    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
-    const float g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1;
 
     /* eta_arm_0: velocity at p [m/s] */
     const float eta_arm_0_0 = nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2;
@@ -178,17 +190,23 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float eta_dot_5 = eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
         eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_e_0;
+    const float pairs_1 = 1.0F - g_e_0;
+    const float pairs_2 = g_e_10 + g_e_5;
+    const float pairs_3 = g_e_5 - g_e_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_e_0 - g_e_10 - g_e_5;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_e_1 + g_e_4;
     const float B_2 = g_e_2 + g_e_8;
     const float B_3 = g_e_9 - g_e_6;
-    const float B_4 = 1.0F + g_e_5 - g_e_0 - g_e_10;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_e_6 + g_e_9;
     const float B_6 = g_e_2 - g_e_8;
-    const float B_7 = 1.0F + g_e_10 - g_e_0 - g_e_5;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_e_4 - g_e_1;
-    const float B_9 = 1.0F + g_e_0 + g_e_10 + g_e_5;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -220,20 +238,44 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const float w = power_3*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const float v_0 = power_0*scale;
@@ -336,13 +378,13 @@ static void underwater_f32_law(const underwater_f32_params *params,
     const float wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const float wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const float turning_0 = drive_0 - eta_0;
-    const float turning_1 = drive_1 - eta_1;
-    const float turning_2 = drive_2 - eta_2;
-    const float turning_3 = drive_3 - eta_3;
-    const float turning_4 = drive_4 - eta_4;
-    const float turning_5 = drive_5 - eta_5;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+    const float turning_3 = s_3 - nu_3;
+    const float turning_4 = s_4 - nu_4;
+    const float turning_5 = s_5 - nu_5;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 +
@@ -403,39 +445,7 @@ static void underwater_f32_law(const underwater_f32_params *params,
     command->nu_u_dot[3] = nu_u_dot_3;
     command->nu_u_dot[4] = nu_u_dot_4;
     command->nu_u_dot[5] = nu_u_dot_5;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void underwater_f32_residual(const float g[16], float residual[11])
-{
-    /* -- residual -- */
-    const float g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
-        g_9 = g[9], g_10 = g[10], g_12 = g[12], g_13 = g[13], g_14 = g[14], g_15 = g[15];
-
-    /* off: deviation from the group [1] */
-    const float off_0 = g_0*g_0 - 1.0F + g_4*g_4 + g_8*g_8;
-    const float off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const float off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const float off_3 = g_1*g_1 - 1.0F + g_5*g_5 + g_9*g_9;
-    const float off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const float off_5 = g_10*g_10 - 1.0F + g_2*g_2 + g_6*g_6;
-    const float off_6 = g_0*g_10*g_5 - 1.0F + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const float off_10 = g_15 - 1.0F;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -454,70 +464,110 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
         inertia_18 = params->inertia[18], inertia_19 = params->inertia[19],
         inertia_20 = params->inertia[20];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const float lower_10 = inertia_1/inertia_0;
+    const float lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const float lower_20 = inertia_2/inertia_0;
+    const float lower_20 = inertia_2/divisor_0;
 
     /* lower_30: I = L D L^T, entry of L [1] */
-    const float lower_30 = inertia_3/inertia_0;
+    const float lower_30 = inertia_3/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const float lower_40 = inertia_4/inertia_0;
+    const float lower_40 = inertia_4/divisor_0;
 
     /* lower_50: I = L D L^T, entry of L [1] */
-    const float lower_50 = inertia_5/inertia_0;
+    const float lower_50 = inertia_5/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const float pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const float lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/pivot_1;
+    const float lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const float lower_31 = (inertia_8 - inertia_0*lower_10*lower_30)/pivot_1;
+    const float lower_31 = (inertia_8 - inertia_0*lower_10*lower_30)/divisor_1;
 
     /* lower_41: I = L D L^T, entry of L [1] */
-    const float lower_41 = (inertia_9 - inertia_0*lower_10*lower_40)/pivot_1;
+    const float lower_41 = (inertia_9 - inertia_0*lower_10*lower_40)/divisor_1;
 
     /* lower_51: I = L D L^T, entry of L [1] */
-    const float lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/pivot_1;
+    const float lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const float pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_2;
+    if (pivot_2 > 0.0F) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0F;
+    }
+
     /* lower_32: I = L D L^T, entry of L [1] */
     const float lower_32 = (inertia_12 - inertia_0*lower_20*lower_30 -
-        lower_21*lower_31*pivot_1)/pivot_2;
+        lower_21*lower_31*pivot_1)/divisor_2;
 
     /* lower_42: I = L D L^T, entry of L [1] */
     const float lower_42 = (inertia_13 - inertia_0*lower_20*lower_40 -
-        lower_21*lower_41*pivot_1)/pivot_2;
+        lower_21*lower_41*pivot_1)/divisor_2;
 
     /* lower_52: I = L D L^T, entry of L [1] */
     const float lower_52 = (inertia_14 - inertia_0*lower_20*lower_50 -
-        lower_21*lower_51*pivot_1)/pivot_2;
+        lower_21*lower_51*pivot_1)/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const float pivot_3 = inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32;
 
+    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_3;
+    if (pivot_3 > 0.0F) {
+        divisor_3 = pivot_3;
+    } else {
+        divisor_3 = 1.0F;
+    }
+
     /* lower_43: I = L D L^T, entry of L [1] */
     const float lower_43 = (inertia_16 - inertia_0*lower_30*lower_40 - lower_31*lower_41*pivot_1 -
-        lower_32*lower_42*pivot_2)/pivot_3;
+        lower_32*lower_42*pivot_2)/divisor_3;
 
     /* lower_53: I = L D L^T, entry of L [1] */
     const float lower_53 = (inertia_17 - inertia_0*lower_30*lower_50 - lower_31*lower_51*pivot_1 -
-        lower_32*lower_52*pivot_2)/pivot_3;
+        lower_32*lower_52*pivot_2)/divisor_3;
 
     /* pivot_4: pivot of I [kg m^2, kg m, kg] */
     const float pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
+    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    float divisor_4;
+    if (pivot_4 > 0.0F) {
+        divisor_4 = pivot_4;
+    } else {
+        divisor_4 = 1.0F;
+    }
+
     /* lower_54: I = L D L^T, entry of L [1] */
     const float lower_54 = (inertia_19 - inertia_0*lower_40*lower_50 - lower_41*lower_51*pivot_1 -
-        lower_42*lower_52*pivot_2 - lower_43*lower_53*pivot_3)/pivot_4;
+        lower_42*lower_52*pivot_2 - lower_43*lower_53*pivot_3)/divisor_4;
 
     /* pivot_5: pivot of I [kg m^2, kg m, kg] */
     const float pivot_5 = inertia_20 - inertia_0*lower_50*lower_50 - pivot_1*lower_51*lower_51 -
@@ -532,48 +582,40 @@ static void underwater_f32_definiteness(const underwater_f32_params *params, flo
     pivot[5] = pivot_5;
 }
 
-/* The worse of two findings. */
-static underwater_f32_status underwater_f32_worse(const underwater_f32_status a,
-        const underwater_f32_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static underwater_f32_status underwater_f32_inspect(const float *numbers, const int count,
-        const float limit)
-{
-    underwater_f32_status worst = UNDERWATER_F32_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = UNDERWATER_F32_NONFINITE_INPUT;
-        } else if (fabsf(numbers[i]) > limit) {
-            worst = underwater_f32_worse(worst, UNDERWATER_F32_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static underwater_f32_status underwater_f32_on_group(const float g[16])
-{
-    float residual[11];
-    int i;
-    underwater_f32_residual(g, residual);
-    for (i = 0; i < 11; i++) {
-        if (!(fabsf(residual[i]) <= UNDERWATER_F32_MAX_DRIFT)) {
-            return UNDERWATER_F32_NOT_ON_GROUP;
-        }
-    }
-    return UNDERWATER_F32_OK;
-}
-
 void underwater_f32_tracking(const underwater_f32_params *params, const underwater_f32_state *state,
         const underwater_f32_reference *reference, underwater_f32_command *command)
 {
-    float clearance;
-    underwater_f32_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11];
+
+    /* gap_0: translation of g from g_r [m] */
+    const float gap_0_0 = g_3 - g_r_3;
+    const float gap_0_1 = g_7 - g_r_7;
+    const float gap_0_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const float g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2;
+    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const float g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2;
+    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const float g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1;
+
+    /* -- end -- */
+    (void)underwater_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11);
 }
 
 void underwater_f32_reaching(const underwater_f32_params *params, const underwater_f32_state *state,
@@ -602,17 +644,23 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const float pairs_0 = 1.0F + g_0;
+    const float pairs_1 = 1.0F - g_0;
+    const float pairs_2 = g_10 + g_5;
+    const float pairs_3 = g_5 - g_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const float B_0 = 1.0F + g_0 - g_10 - g_5;
+    const float B_0 = pairs_0 - pairs_2;
     const float B_1 = g_1 + g_4;
     const float B_2 = g_2 + g_8;
     const float B_3 = g_9 - g_6;
-    const float B_4 = 1.0F + g_5 - g_0 - g_10;
+    const float B_4 = pairs_1 + pairs_3;
     const float B_5 = g_6 + g_9;
     const float B_6 = g_2 - g_8;
-    const float B_7 = 1.0F + g_10 - g_0 - g_5;
+    const float B_7 = pairs_1 - pairs_3;
     const float B_8 = g_4 - g_1;
-    const float B_9 = 1.0F + g_0 + g_10 + g_5;
+    const float B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     float column_0, column_1, column_2, column_3;
@@ -644,20 +692,44 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
     const float power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const float power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const float square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 49.0F) {
+        norm_bounded = 49.0F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const float norm = sqrtf(1.0e-30F + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const float norm = sqrtf(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const float inverse_norm = 1.0F/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     float scale;
     if (power_3 < 0.0F) {
-        scale = -1.0F/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0F/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const float cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const float w = power_3*scale;
+    float w;
+    if (cosine > 1.0F) {
+        w = 1.0F;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const float v_0 = power_0*scale;
@@ -984,11 +1056,35 @@ void underwater_f32_plant(const underwater_f32_params *params, const underwater_
     nu_dot[5] = back_5;
 }
 
-/* What the state and the reference are worth. */
-static underwater_f32_status underwater_f32_judge(const underwater_f32_state *state,
-        const underwater_f32_reference *reference)
+/* The worse of two findings. */
+static underwater_f32_status underwater_f32_worse(const underwater_f32_status a,
+        const underwater_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static underwater_f32_status underwater_f32_inspect(const float *numbers, const int count,
+        const float limit)
 {
     underwater_f32_status worst = UNDERWATER_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = UNDERWATER_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = underwater_f32_worse(worst, UNDERWATER_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static underwater_f32_status underwater_f32_refuse(const underwater_f32_state *state,
+        const underwater_f32_reference *reference, const underwater_f32_status found,
+        underwater_f32_command *command)
+{
+    underwater_f32_status worst = found;
     worst = underwater_f32_worse(worst,
             underwater_f32_inspect(state->g, 16, UNDERWATER_F32_MAX_INPUT));
     worst = underwater_f32_worse(worst,
@@ -1001,28 +1097,19 @@ static underwater_f32_status underwater_f32_judge(const underwater_f32_state *st
             underwater_f32_inspect(reference->nu, 6, UNDERWATER_F32_MAX_INPUT));
     worst = underwater_f32_worse(worst,
             underwater_f32_inspect(reference->nu_dot, 6, UNDERWATER_F32_MAX_INPUT));
-    if (worst == UNDERWATER_F32_OK) {
-        worst = underwater_f32_on_group(state->g);
-    }
-    if (worst == UNDERWATER_F32_OK) {
-        worst = underwater_f32_on_group(reference->g);
-    }
+    underwater_f32_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static underwater_f32_status underwater_f32_verdict(const underwater_f32_command *command,
-        const float clearance)
+static underwater_f32_status underwater_f32_verdict(const float clearance,
+        underwater_f32_command *command)
 {
-    const float *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 6; i++) {
-            if (!isfinite(rows[row][i])) {
-                return UNDERWATER_F32_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
+            && isfinite(command->force[3]) && isfinite(command->force[4])
+            && isfinite(command->force[5]))) {
+        underwater_f32_nothing(command);
+        return UNDERWATER_F32_NONFINITE_INPUT;
     }
     return clearance < UNDERWATER_F32_NEAR_CUT ? UNDERWATER_F32_NEAR_CUT_LOCUS : UNDERWATER_F32_OK;
 }
@@ -1031,22 +1118,112 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
         const underwater_f32_state *state, const underwater_f32_reference *reference,
         underwater_f32_command *command)
 {
+    float clearance;
 #ifdef UNDERWATER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return UNDERWATER_F32_BAD_PARAMS;
     }
 #endif
-    static const underwater_f32_command nothing = { { 0.0F }, { 0.0F }, { 0.0F }, { 0.0F } };
-    underwater_f32_status status = underwater_f32_judge(state, reference);
-    if (status == UNDERWATER_F32_OK) {
-        float clearance;
-        underwater_f32_law(params, state, reference, command, &clearance);
-        status = underwater_f32_verdict(command, clearance);
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11];
+
+    /* gap_0: translation of g from g_r [m] */
+    const float gap_0_0 = g_3 - g_r_3;
+    const float gap_0_1 = g_7 - g_r_7;
+    const float gap_0_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const float g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const float g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const float g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2;
+    const float g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const float g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const float g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const float g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2;
+    const float g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const float g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const float g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const float g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= UNDERWATER_F32_MAX_ENTRY && fabsf(g_e_1) <= UNDERWATER_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= UNDERWATER_F32_MAX_ENTRY && fabsf(g_e_3) <= UNDERWATER_F32_MAX_REACH
+            && fabsf(g_e_4) <= UNDERWATER_F32_MAX_ENTRY && fabsf(g_e_5) <= UNDERWATER_F32_MAX_ENTRY
+            && fabsf(g_e_6) <= UNDERWATER_F32_MAX_ENTRY && fabsf(g_e_7) <= UNDERWATER_F32_MAX_REACH
+            && fabsf(g_e_8) <= UNDERWATER_F32_MAX_ENTRY && fabsf(g_e_9) <= UNDERWATER_F32_MAX_ENTRY
+            && fabsf(g_e_10) <= UNDERWATER_F32_MAX_ENTRY
+            && fabsf(g_e_11) <= UNDERWATER_F32_MAX_REACH
+            && fabsf(state->g[3]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->g[7]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->g[11]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->nu[0]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->nu[3]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->nu[4]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->nu[5]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->external[0]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->external[1]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->external[2]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->external[3]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->external[4]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(state->external[5]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->g[3]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->g[7]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->g[11]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu[3]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu[4]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu[5]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[3]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[4]) <= UNDERWATER_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[5]) <= UNDERWATER_F32_MAX_INPUT)) {
+        const int is_near = fabsf(g_e_3) <= UNDERWATER_F32_MAX_REACH
+                && fabsf(g_e_7) <= UNDERWATER_F32_MAX_REACH
+                && fabsf(g_e_11) <= UNDERWATER_F32_MAX_REACH;
+        return underwater_f32_refuse(state, reference,
+                is_near ? UNDERWATER_F32_NOT_ON_GROUP : UNDERWATER_F32_OUT_OF_RANGE, command);
     }
-    if (status >= UNDERWATER_F32_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+    const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];
+    const float g_r_12 = reference->g[12], g_r_13 = reference->g[13], g_r_14 = reference->g[14],
+        g_r_15 = reference->g[15];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_4*g_e_4 + g_e_8*g_e_8;
+    const float off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
+    const float off_2 = g_e_1*g_e_1 - 1.0F + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const float off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const float off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const float off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const float off_9 = g_15 - 1.0F;
+    const float off_13 = g_r_15 - 1.0F;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_13*off_13 + off_2*off_2 + off_3*off_3 +
+        off_4*off_4 + off_5*off_5 + off_9*off_9;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return underwater_f32_refuse(state, reference, UNDERWATER_F32_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = underwater_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11);
+    return underwater_f32_verdict(clearance, command);
 }
 
 underwater_f32_status underwater_f32_check_params(const underwater_f32_params *params)
@@ -1062,10 +1239,13 @@ underwater_f32_status underwater_f32_check_params(const underwater_f32_params *p
             {
         return UNDERWATER_F32_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0F && params->lambda <= UNDERWATER_F32_MAX_PARAM)) {
+    if (!(params->lambda >= UNDERWATER_F32_MIN_GAIN && params->lambda <= UNDERWATER_F32_MAX_RATE)) {
         return UNDERWATER_F32_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0F && params->k_s <= UNDERWATER_F32_MAX_PARAM)) {
+    if (!(params->k_s >= UNDERWATER_F32_MIN_GAIN && params->k_s <= UNDERWATER_F32_MAX_RATE)) {
+        return UNDERWATER_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= UNDERWATER_F32_MOST_DRIFT)) {
         return UNDERWATER_F32_BAD_PARAMS;
     }
     underwater_f32_definiteness(params, pivot);

@@ -14,6 +14,10 @@
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
 #endif
 
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -22,7 +26,8 @@ const underwater_f64_params underwater_f64_defaults = {
     {2.65625, -0.0875, 0.175, 0.12, -2.6, -0.1, 10.82, 0.0875, 2.1, 0.1, 1.4, 10.64625, 0.05, -1.2,
      0.1, 66.0, 0.7, -0.9, 102.0, 0.4, 118.0},
     0.25, /* lambda */
-    0.6 /* k_s */
+    0.6, /* k_s */
+    1.0e-6 /* max_drift */
 };
 
 /* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
@@ -118,10 +123,43 @@ static inline double underwater_f64_m(const double w)
     return sum;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl). */
-static void underwater_f64_law(const underwater_f64_params *params,
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void underwater_f64_nothing(underwater_f64_command *command)
+{
+    command->force[0] = 0.0;
+    command->force[1] = 0.0;
+    command->force[2] = 0.0;
+    command->force[3] = 0.0;
+    command->force[4] = 0.0;
+    command->force[5] = 0.0;
+    command->s[0] = 0.0;
+    command->s[1] = 0.0;
+    command->s[2] = 0.0;
+    command->s[3] = 0.0;
+    command->s[4] = 0.0;
+    command->s[5] = 0.0;
+    command->nu_u[0] = 0.0;
+    command->nu_u[1] = 0.0;
+    command->nu_u[2] = 0.0;
+    command->nu_u[3] = 0.0;
+    command->nu_u[4] = 0.0;
+    command->nu_u[5] = 0.0;
+    command->nu_u_dot[0] = 0.0;
+    command->nu_u_dot[1] = 0.0;
+    command->nu_u_dot[2] = 0.0;
+    command->nu_u_dot[3] = 0.0;
+    command->nu_u_dot[4] = 0.0;
+    command->nu_u_dot[5] = 0.0;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static double underwater_f64_law(const underwater_f64_params *params,
         const underwater_f64_state *state, const underwater_f64_reference *reference,
-        underwater_f64_command *command, double *clearance)
+        underwater_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
+        const double g_e_3, const double g_e_4, const double g_e_5, const double g_e_6,
+        const double g_e_7, const double g_e_8, const double g_e_9, const double g_e_10,
+        const double g_e_11)
 {
     /* -- tracking -- */
     const double inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
@@ -137,42 +175,16 @@ static void underwater_f64_law(const underwater_f64_params *params,
         inertia_20 = params->inertia[20];
     const double rate_gain = params->lambda;
     const double reach_gain = params->k_s;
-    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
-        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
-        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11];
     const double nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2], nu_3 = state->nu[3],
         nu_4 = state->nu[4], nu_5 = state->nu[5];
     const double external_0 = state->external[0], external_1 = state->external[1],
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
-    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
-        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
-        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
-        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11];
     const double nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2],
         nu_r_3 = reference->nu[3], nu_r_4 = reference->nu[4], nu_r_5 = reference->nu[5];
     const double nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
         nu_r_dot_2 = reference->nu_dot[2], nu_r_dot_3 = reference->nu_dot[3],
         nu_r_dot_4 = reference->nu_dot[4], nu_r_dot_5 = reference->nu_dot[5];
-
-    /* gap_0: translation of g from g_r [m] */
-    const double gap_0_0 = g_3 - g_r_3;
-    const double gap_0_1 = g_7 - g_r_7;
-    const double gap_0_2 = g_11 - g_r_11;
-
-    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
-    const double g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
-    const double g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
-    const double g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
-    const double g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2;
-    const double g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
-    const double g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
-    const double g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
-    const double g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2;
-    const double g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
-    const double g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
-    const double g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
-    const double g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1;
 
     /* eta_arm_0: velocity at p [m/s] */
     const double eta_arm_0_0 = nu_r_3 + g_e_11*nu_r_1 - g_e_7*nu_r_2;
@@ -214,17 +226,23 @@ static void underwater_f64_law(const underwater_f64_params *params,
     const double eta_dot_5 = eta_0*nu_e_4 + eta_3*nu_e_1 + eta_dot_arm_0_0*g_e_2 +
         eta_dot_arm_0_1*g_e_6 + eta_dot_arm_0_2*g_e_10 - eta_1*nu_e_3 - eta_4*nu_e_0;
 
+    /* pairs: what B's diagonal is made of [1] */
+    const double pairs_0 = 1.0 + g_e_0;
+    const double pairs_1 = 1.0 - g_e_0;
+    const double pairs_2 = g_e_10 + g_e_5;
+    const double pairs_3 = g_e_5 - g_e_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_e_0 - g_e_10 - g_e_5;
+    const double B_0 = pairs_0 - pairs_2;
     const double B_1 = g_e_1 + g_e_4;
     const double B_2 = g_e_2 + g_e_8;
     const double B_3 = g_e_9 - g_e_6;
-    const double B_4 = 1.0 + g_e_5 - g_e_0 - g_e_10;
+    const double B_4 = pairs_1 + pairs_3;
     const double B_5 = g_e_6 + g_e_9;
     const double B_6 = g_e_2 - g_e_8;
-    const double B_7 = 1.0 + g_e_10 - g_e_0 - g_e_5;
+    const double B_7 = pairs_1 - pairs_3;
     const double B_8 = g_e_4 - g_e_1;
-    const double B_9 = 1.0 + g_e_0 + g_e_10 + g_e_5;
+    const double B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
@@ -256,20 +274,44 @@ static void underwater_f64_law(const underwater_f64_params *params,
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const double square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const double norm = sqrt(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const double inverse_norm = 1.0/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
     if (power_3 < 0.0) {
-        scale = -1.0/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const double w = power_3*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const double v_0 = power_0*scale;
@@ -372,13 +414,13 @@ static void underwater_f64_law(const underwater_f64_params *params,
     const double wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const double wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta [rad/s, m/s] */
-    const double turning_0 = drive_0 - eta_0;
-    const double turning_1 = drive_1 - eta_1;
-    const double turning_2 = drive_2 - eta_2;
-    const double turning_3 = drive_3 - eta_3;
-    const double turning_4 = drive_4 - eta_4;
-    const double turning_5 = drive_5 - eta_5;
+    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
+    const double turning_0 = s_0 - nu_0;
+    const double turning_1 = s_1 - nu_1;
+    const double turning_2 = s_2 - nu_2;
+    const double turning_3 = s_3 - nu_3;
+    const double turning_4 = s_4 - nu_4;
+    const double turning_5 = s_5 - nu_5;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 +
@@ -439,39 +481,7 @@ static void underwater_f64_law(const underwater_f64_params *params,
     command->nu_u_dot[3] = nu_u_dot_3;
     command->nu_u_dot[4] = nu_u_dot_4;
     command->nu_u_dot[5] = nu_u_dot_5;
-    *clearance = w;
-}
-
-/* distance of stored numbers from the group. */
-static void underwater_f64_residual(const double g[16], double residual[11])
-{
-    /* -- residual -- */
-    const double g_0 = g[0], g_1 = g[1], g_2 = g[2], g_4 = g[4], g_5 = g[5], g_6 = g[6], g_8 = g[8],
-        g_9 = g[9], g_10 = g[10], g_12 = g[12], g_13 = g[13], g_14 = g[14], g_15 = g[15];
-
-    /* off: deviation from the group [1] */
-    const double off_0 = g_0*g_0 - 1.0 + g_4*g_4 + g_8*g_8;
-    const double off_1 = g_0*g_1 + g_4*g_5 + g_8*g_9;
-    const double off_2 = g_0*g_2 + g_10*g_8 + g_4*g_6;
-    const double off_3 = g_1*g_1 - 1.0 + g_5*g_5 + g_9*g_9;
-    const double off_4 = g_1*g_2 + g_10*g_9 + g_5*g_6;
-    const double off_5 = g_10*g_10 - 1.0 + g_2*g_2 + g_6*g_6;
-    const double off_6 = g_0*g_10*g_5 - 1.0 + g_1*g_6*g_8 + g_2*g_4*g_9 - g_0*g_6*g_9 - g_1*g_10*g_4
-        - g_2*g_5*g_8;
-    const double off_10 = g_15 - 1.0;
-
-    /* -- end -- */
-    residual[0] = off_0;
-    residual[1] = off_1;
-    residual[2] = off_2;
-    residual[3] = off_3;
-    residual[4] = off_4;
-    residual[5] = off_5;
-    residual[6] = off_6;
-    residual[7] = g_12;
-    residual[8] = g_13;
-    residual[9] = g_14;
-    residual[10] = off_10;
+    return w;
 }
 
 /* pivots of the inertia: all positive for a valid one. */
@@ -490,70 +500,110 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
         inertia_18 = params->inertia[18], inertia_19 = params->inertia[19],
         inertia_20 = params->inertia[20];
 
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_0;
+    if (inertia_0 > 0.0) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0;
+    }
+
     /* lower_10: I = L D L^T, entry of L [1] */
-    const double lower_10 = inertia_1/inertia_0;
+    const double lower_10 = inertia_1/divisor_0;
 
     /* lower_20: I = L D L^T, entry of L [1] */
-    const double lower_20 = inertia_2/inertia_0;
+    const double lower_20 = inertia_2/divisor_0;
 
     /* lower_30: I = L D L^T, entry of L [1] */
-    const double lower_30 = inertia_3/inertia_0;
+    const double lower_30 = inertia_3/divisor_0;
 
     /* lower_40: I = L D L^T, entry of L [1] */
-    const double lower_40 = inertia_4/inertia_0;
+    const double lower_40 = inertia_4/divisor_0;
 
     /* lower_50: I = L D L^T, entry of L [1] */
-    const double lower_50 = inertia_5/inertia_0;
+    const double lower_50 = inertia_5/divisor_0;
 
     /* pivot_1: pivot of I [kg m^2, kg m, kg] */
     const double pivot_1 = inertia_6 - inertia_0*lower_10*lower_10;
 
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_1;
+    if (pivot_1 > 0.0) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0;
+    }
+
     /* lower_21: I = L D L^T, entry of L [1] */
-    const double lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/pivot_1;
+    const double lower_21 = (inertia_7 - inertia_0*lower_10*lower_20)/divisor_1;
 
     /* lower_31: I = L D L^T, entry of L [1] */
-    const double lower_31 = (inertia_8 - inertia_0*lower_10*lower_30)/pivot_1;
+    const double lower_31 = (inertia_8 - inertia_0*lower_10*lower_30)/divisor_1;
 
     /* lower_41: I = L D L^T, entry of L [1] */
-    const double lower_41 = (inertia_9 - inertia_0*lower_10*lower_40)/pivot_1;
+    const double lower_41 = (inertia_9 - inertia_0*lower_10*lower_40)/divisor_1;
 
     /* lower_51: I = L D L^T, entry of L [1] */
-    const double lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/pivot_1;
+    const double lower_51 = (inertia_10 - inertia_0*lower_10*lower_50)/divisor_1;
 
     /* pivot_2: pivot of I [kg m^2, kg m, kg] */
     const double pivot_2 = inertia_11 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
 
+    /* divisor_2: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_2;
+    if (pivot_2 > 0.0) {
+        divisor_2 = pivot_2;
+    } else {
+        divisor_2 = 1.0;
+    }
+
     /* lower_32: I = L D L^T, entry of L [1] */
     const double lower_32 = (inertia_12 - inertia_0*lower_20*lower_30 -
-        lower_21*lower_31*pivot_1)/pivot_2;
+        lower_21*lower_31*pivot_1)/divisor_2;
 
     /* lower_42: I = L D L^T, entry of L [1] */
     const double lower_42 = (inertia_13 - inertia_0*lower_20*lower_40 -
-        lower_21*lower_41*pivot_1)/pivot_2;
+        lower_21*lower_41*pivot_1)/divisor_2;
 
     /* lower_52: I = L D L^T, entry of L [1] */
     const double lower_52 = (inertia_14 - inertia_0*lower_20*lower_50 -
-        lower_21*lower_51*pivot_1)/pivot_2;
+        lower_21*lower_51*pivot_1)/divisor_2;
 
     /* pivot_3: pivot of I [kg m^2, kg m, kg] */
     const double pivot_3 = inertia_15 - inertia_0*lower_30*lower_30 - pivot_1*lower_31*lower_31 -
         pivot_2*lower_32*lower_32;
 
+    /* divisor_3: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_3;
+    if (pivot_3 > 0.0) {
+        divisor_3 = pivot_3;
+    } else {
+        divisor_3 = 1.0;
+    }
+
     /* lower_43: I = L D L^T, entry of L [1] */
     const double lower_43 = (inertia_16 - inertia_0*lower_30*lower_40 - lower_31*lower_41*pivot_1 -
-        lower_32*lower_42*pivot_2)/pivot_3;
+        lower_32*lower_42*pivot_2)/divisor_3;
 
     /* lower_53: I = L D L^T, entry of L [1] */
     const double lower_53 = (inertia_17 - inertia_0*lower_30*lower_50 - lower_31*lower_51*pivot_1 -
-        lower_32*lower_52*pivot_2)/pivot_3;
+        lower_32*lower_52*pivot_2)/divisor_3;
 
     /* pivot_4: pivot of I [kg m^2, kg m, kg] */
     const double pivot_4 = inertia_18 - inertia_0*lower_40*lower_40 - pivot_1*lower_41*lower_41 -
         pivot_2*lower_42*lower_42 - pivot_3*lower_43*lower_43;
 
+    /* divisor_4: the pivot, or 1 where it is not positive [kg m^2, kg m, kg] */
+    double divisor_4;
+    if (pivot_4 > 0.0) {
+        divisor_4 = pivot_4;
+    } else {
+        divisor_4 = 1.0;
+    }
+
     /* lower_54: I = L D L^T, entry of L [1] */
     const double lower_54 = (inertia_19 - inertia_0*lower_40*lower_50 - lower_41*lower_51*pivot_1 -
-        lower_42*lower_52*pivot_2 - lower_43*lower_53*pivot_3)/pivot_4;
+        lower_42*lower_52*pivot_2 - lower_43*lower_53*pivot_3)/divisor_4;
 
     /* pivot_5: pivot of I [kg m^2, kg m, kg] */
     const double pivot_5 = inertia_20 - inertia_0*lower_50*lower_50 - pivot_1*lower_51*lower_51 -
@@ -568,48 +618,40 @@ static void underwater_f64_definiteness(const underwater_f64_params *params, dou
     pivot[5] = pivot_5;
 }
 
-/* The worse of two findings. */
-static underwater_f64_status underwater_f64_worse(const underwater_f64_status a,
-        const underwater_f64_status b)
-{
-    return a > b ? a : b;
-}
-
-/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
-static underwater_f64_status underwater_f64_inspect(const double *numbers, const int count,
-        const double limit)
-{
-    underwater_f64_status worst = UNDERWATER_F64_OK;
-    int i;
-    for (i = 0; i < count; i++) {
-        if (!isfinite(numbers[i])) {
-            worst = UNDERWATER_F64_NONFINITE_INPUT;
-        } else if (fabs(numbers[i]) > limit) {
-            worst = underwater_f64_worse(worst, UNDERWATER_F64_OUT_OF_RANGE);
-        }
-    }
-    return worst;
-}
-
-/* NOT_ON_GROUP if any residual of a configuration is beyond the margin. */
-static underwater_f64_status underwater_f64_on_group(const double g[16])
-{
-    double residual[11];
-    int i;
-    underwater_f64_residual(g, residual);
-    for (i = 0; i < 11; i++) {
-        if (!(fabs(residual[i]) <= UNDERWATER_F64_MAX_DRIFT)) {
-            return UNDERWATER_F64_NOT_ON_GROUP;
-        }
-    }
-    return UNDERWATER_F64_OK;
-}
-
 void underwater_f64_tracking(const underwater_f64_params *params, const underwater_f64_state *state,
         const underwater_f64_reference *reference, underwater_f64_command *command)
 {
-    double clearance;
-    underwater_f64_law(params, state, reference, command, &clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11];
+
+    /* gap_0: translation of g from g_r [m] */
+    const double gap_0_0 = g_3 - g_r_3;
+    const double gap_0_1 = g_7 - g_r_7;
+    const double gap_0_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const double g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const double g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const double g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2;
+    const double g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const double g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const double g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const double g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2;
+    const double g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const double g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const double g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const double g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1;
+
+    /* -- end -- */
+    (void)underwater_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3, g_e_4,
+            g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11);
 }
 
 void underwater_f64_reaching(const underwater_f64_params *params, const underwater_f64_state *state,
@@ -638,17 +680,23 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
         external_2 = state->external[2], external_3 = state->external[3],
         external_4 = state->external[4], external_5 = state->external[5];
 
+    /* pairs: what B's diagonal is made of [1] */
+    const double pairs_0 = 1.0 + g_0;
+    const double pairs_1 = 1.0 - g_0;
+    const double pairs_2 = g_10 + g_5;
+    const double pairs_3 = g_5 - g_10;
+
     /* B: 4 p p^T, p = (v, w), by rows [1], polar factor of Markley and Bar-Itzhack */
-    const double B_0 = 1.0 + g_0 - g_10 - g_5;
+    const double B_0 = pairs_0 - pairs_2;
     const double B_1 = g_1 + g_4;
     const double B_2 = g_2 + g_8;
     const double B_3 = g_9 - g_6;
-    const double B_4 = 1.0 + g_5 - g_0 - g_10;
+    const double B_4 = pairs_1 + pairs_3;
     const double B_5 = g_6 + g_9;
     const double B_6 = g_2 - g_8;
-    const double B_7 = 1.0 + g_10 - g_0 - g_5;
+    const double B_7 = pairs_1 - pairs_3;
     const double B_8 = g_4 - g_1;
-    const double B_9 = 1.0 + g_0 + g_10 + g_5;
+    const double B_9 = pairs_0 + pairs_2;
 
     /* column: a column of B that cannot vanish [1] */
     double column_0, column_1, column_2, column_3;
@@ -680,20 +728,44 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
     const double power_2 = B_2*column_0 + B_5*column_1 + B_7*column_2 + B_8*column_3;
     const double power_3 = B_3*column_0 + B_6*column_1 + B_8*column_2 + B_9*column_3;
 
+    /* square: square of its vector part [1] */
+    const double square = power_0*power_0 + power_1*power_1 + power_2*power_2;
+
+    /* norm_square: its squared length [1] */
+    const double norm_square = square + power_3*power_3;
+
+    /* norm_bounded: the same: less is no element [1] */
+    double norm_bounded;
+    if (norm_square < 49.0) {
+        norm_bounded = 49.0;
+    } else {
+        norm_bounded = norm_square;
+    }
+
     /* norm: its length [1] */
-    const double norm = sqrt(1.0e-290 + power_0*power_0 + power_1*power_1 + power_2*power_2 +
-        power_3*power_3);
+    const double norm = sqrt(norm_bounded);
+
+    /* inverse_norm: to unit length [1] */
+    const double inverse_norm = 1.0/norm;
 
     /* scale: to unit length, and to w >= 0: the shorter way round [1] */
     double scale;
     if (power_3 < 0.0) {
-        scale = -1.0/norm;
+        scale = -inverse_norm;
     } else {
-        scale = 1.0/norm;
+        scale = inverse_norm;
     }
 
+    /* cosine: cos of half the error angle, rounded [1] */
+    const double cosine = power_3*scale;
+
     /* w: cos of half the error angle [1] */
-    const double w = power_3*scale;
+    double w;
+    if (cosine > 1.0) {
+        w = 1.0;
+    } else {
+        w = cosine;
+    }
 
     /* v: sin of half the error angle times its axis [1] */
     const double v_0 = power_0*scale;
@@ -1020,11 +1092,35 @@ void underwater_f64_plant(const underwater_f64_params *params, const underwater_
     nu_dot[5] = back_5;
 }
 
-/* What the state and the reference are worth. */
-static underwater_f64_status underwater_f64_judge(const underwater_f64_state *state,
-        const underwater_f64_reference *reference)
+/* The worse of two findings. */
+static underwater_f64_status underwater_f64_worse(const underwater_f64_status a,
+        const underwater_f64_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static underwater_f64_status underwater_f64_inspect(const double *numbers, const int count,
+        const double limit)
 {
     underwater_f64_status worst = UNDERWATER_F64_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = UNDERWATER_F64_NONFINITE_INPUT;
+        } else if (fabs(numbers[i]) > limit) {
+            worst = underwater_f64_worse(worst, UNDERWATER_F64_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static underwater_f64_status underwater_f64_refuse(const underwater_f64_state *state,
+        const underwater_f64_reference *reference, const underwater_f64_status found,
+        underwater_f64_command *command)
+{
+    underwater_f64_status worst = found;
     worst = underwater_f64_worse(worst,
             underwater_f64_inspect(state->g, 16, UNDERWATER_F64_MAX_INPUT));
     worst = underwater_f64_worse(worst,
@@ -1037,28 +1133,19 @@ static underwater_f64_status underwater_f64_judge(const underwater_f64_state *st
             underwater_f64_inspect(reference->nu, 6, UNDERWATER_F64_MAX_INPUT));
     worst = underwater_f64_worse(worst,
             underwater_f64_inspect(reference->nu_dot, 6, UNDERWATER_F64_MAX_INPUT));
-    if (worst == UNDERWATER_F64_OK) {
-        worst = underwater_f64_on_group(state->g);
-    }
-    if (worst == UNDERWATER_F64_OK) {
-        worst = underwater_f64_on_group(reference->g);
-    }
+    underwater_f64_nothing(command);
     return worst;
 }
 
 /* What a computed command is worth, given its distance from the cut locus of the law. */
-static underwater_f64_status underwater_f64_verdict(const underwater_f64_command *command,
-        const double clearance)
+static underwater_f64_status underwater_f64_verdict(const double clearance,
+        underwater_f64_command *command)
 {
-    const double *const rows[4] = {command->force, command->s, command->nu_u, command->nu_u_dot};
-    int row;
-    int i;
-    for (row = 0; row < 4; row++) {
-        for (i = 0; i < 6; i++) {
-            if (!isfinite(rows[row][i])) {
-                return UNDERWATER_F64_NONFINITE_INPUT;
-            }
-        }
+    if (!(isfinite(command->force[0]) && isfinite(command->force[1]) && isfinite(command->force[2])
+            && isfinite(command->force[3]) && isfinite(command->force[4])
+            && isfinite(command->force[5]))) {
+        underwater_f64_nothing(command);
+        return UNDERWATER_F64_NONFINITE_INPUT;
     }
     return clearance < UNDERWATER_F64_NEAR_CUT ? UNDERWATER_F64_NEAR_CUT_LOCUS : UNDERWATER_F64_OK;
 }
@@ -1067,22 +1154,111 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
         const underwater_f64_state *state, const underwater_f64_reference *reference,
         underwater_f64_command *command)
 {
+    double clearance;
 #ifdef UNDERWATER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return UNDERWATER_F64_BAD_PARAMS;
     }
 #endif
-    static const underwater_f64_command nothing = { { 0.0 }, { 0.0 }, { 0.0 }, { 0.0 } };
-    underwater_f64_status status = underwater_f64_judge(state, reference);
-    if (status == UNDERWATER_F64_OK) {
-        double clearance;
-        underwater_f64_law(params, state, reference, command, &clearance);
-        status = underwater_f64_verdict(command, clearance);
+    /* -- tracking -- */
+    const double g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3],
+        g_4 = state->g[4], g_5 = state->g[5], g_6 = state->g[6], g_7 = state->g[7],
+        g_8 = state->g[8], g_9 = state->g[9], g_10 = state->g[10], g_11 = state->g[11];
+    const double g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3], g_r_4 = reference->g[4], g_r_5 = reference->g[5],
+        g_r_6 = reference->g[6], g_r_7 = reference->g[7], g_r_8 = reference->g[8],
+        g_r_9 = reference->g[9], g_r_10 = reference->g[10], g_r_11 = reference->g[11];
+
+    /* gap_0: translation of g from g_r [m] */
+    const double gap_0_0 = g_3 - g_r_3;
+    const double gap_0_1 = g_7 - g_r_7;
+    const double gap_0_2 = g_11 - g_r_11;
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const double g_e_0 = g_0*g_r_0 + g_4*g_r_4 + g_8*g_r_8;
+    const double g_e_1 = g_1*g_r_0 + g_5*g_r_4 + g_9*g_r_8;
+    const double g_e_2 = g_10*g_r_8 + g_2*g_r_0 + g_6*g_r_4;
+    const double g_e_3 = g_r_0*gap_0_0 + g_r_4*gap_0_1 + g_r_8*gap_0_2;
+    const double g_e_4 = g_0*g_r_1 + g_4*g_r_5 + g_8*g_r_9;
+    const double g_e_5 = g_1*g_r_1 + g_5*g_r_5 + g_9*g_r_9;
+    const double g_e_6 = g_10*g_r_9 + g_2*g_r_1 + g_6*g_r_5;
+    const double g_e_7 = g_r_1*gap_0_0 + g_r_5*gap_0_1 + g_r_9*gap_0_2;
+    const double g_e_8 = g_0*g_r_2 + g_4*g_r_6 + g_8*g_r_10;
+    const double g_e_9 = g_1*g_r_2 + g_5*g_r_6 + g_9*g_r_10;
+    const double g_e_10 = g_10*g_r_10 + g_2*g_r_2 + g_6*g_r_6;
+    const double g_e_11 = g_r_10*gap_0_2 + g_r_2*gap_0_0 + g_r_6*gap_0_1;
+
+    /* -- end -- */
+    if (!(fabs(g_e_0) <= UNDERWATER_F64_MAX_ENTRY && fabs(g_e_1) <= UNDERWATER_F64_MAX_ENTRY
+            && fabs(g_e_2) <= UNDERWATER_F64_MAX_ENTRY && fabs(g_e_3) <= UNDERWATER_F64_MAX_REACH
+            && fabs(g_e_4) <= UNDERWATER_F64_MAX_ENTRY && fabs(g_e_5) <= UNDERWATER_F64_MAX_ENTRY
+            && fabs(g_e_6) <= UNDERWATER_F64_MAX_ENTRY && fabs(g_e_7) <= UNDERWATER_F64_MAX_REACH
+            && fabs(g_e_8) <= UNDERWATER_F64_MAX_ENTRY && fabs(g_e_9) <= UNDERWATER_F64_MAX_ENTRY
+            && fabs(g_e_10) <= UNDERWATER_F64_MAX_ENTRY && fabs(g_e_11) <= UNDERWATER_F64_MAX_REACH
+            && fabs(state->g[3]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->g[7]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->g[11]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->nu[0]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->nu[1]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->nu[2]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->nu[3]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->nu[4]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->nu[5]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->external[0]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->external[1]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->external[2]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->external[3]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->external[4]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(state->external[5]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->g[3]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->g[7]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->g[11]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu[0]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu[1]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu[2]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu[3]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu[4]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu[5]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu_dot[0]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu_dot[1]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu_dot[2]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu_dot[3]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu_dot[4]) <= UNDERWATER_F64_MAX_INPUT
+            && fabs(reference->nu_dot[5]) <= UNDERWATER_F64_MAX_INPUT)) {
+        const int is_near = fabs(g_e_3) <= UNDERWATER_F64_MAX_REACH
+                && fabs(g_e_7) <= UNDERWATER_F64_MAX_REACH
+                && fabs(g_e_11) <= UNDERWATER_F64_MAX_REACH;
+        return underwater_f64_refuse(state, reference,
+                is_near ? UNDERWATER_F64_NOT_ON_GROUP : UNDERWATER_F64_OUT_OF_RANGE, command);
     }
-    if (status >= UNDERWATER_F64_NOT_ON_GROUP) {
-        *command = nothing;
+    /* -- drift -- */
+    const double g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];
+    const double g_r_12 = reference->g[12], g_r_13 = reference->g[13], g_r_14 = reference->g[14],
+        g_r_15 = reference->g[15];
+
+    /* off: what vanishes on the group, and only there [1] */
+    const double off_0 = g_e_0*g_e_0 - 1.0 + g_e_4*g_e_4 + g_e_8*g_e_8;
+    const double off_1 = g_e_0*g_e_1 + g_e_4*g_e_5 + g_e_8*g_e_9;
+    const double off_2 = g_e_1*g_e_1 - 1.0 + g_e_5*g_e_5 + g_e_9*g_e_9;
+    const double off_3 = g_e_2 + g_e_5*g_e_8 - g_e_4*g_e_9;
+    const double off_4 = g_e_6 + g_e_0*g_e_9 - g_e_1*g_e_8;
+    const double off_5 = g_e_10 + g_e_1*g_e_4 - g_e_0*g_e_5;
+    const double off_9 = g_15 - 1.0;
+    const double off_13 = g_r_15 - 1.0;
+
+    /* drift: square of the distance from the group [1] */
+    const double drift = g_12*g_12 + g_13*g_13 + g_14*g_14 + g_r_12*g_r_12 + g_r_13*g_r_13 +
+        g_r_14*g_r_14 + off_0*off_0 + off_1*off_1 + off_13*off_13 + off_2*off_2 + off_3*off_3 +
+        off_4*off_4 + off_5*off_5 + off_9*off_9;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return underwater_f64_refuse(state, reference, UNDERWATER_F64_NOT_ON_GROUP, command);
     }
-    return status;
+    clearance = underwater_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
+            g_e_4, g_e_5, g_e_6, g_e_7, g_e_8, g_e_9, g_e_10, g_e_11);
+    return underwater_f64_verdict(clearance, command);
 }
 
 underwater_f64_status underwater_f64_check_params(const underwater_f64_params *params)
@@ -1098,10 +1274,13 @@ underwater_f64_status underwater_f64_check_params(const underwater_f64_params *p
             {
         return UNDERWATER_F64_BAD_PARAMS;
     }
-    if (!(params->lambda > 0.0 && params->lambda <= UNDERWATER_F64_MAX_PARAM)) {
+    if (!(params->lambda >= UNDERWATER_F64_MIN_GAIN && params->lambda <= UNDERWATER_F64_MAX_RATE)) {
         return UNDERWATER_F64_BAD_PARAMS;
     }
-    if (!(params->k_s > 0.0 && params->k_s <= UNDERWATER_F64_MAX_PARAM)) {
+    if (!(params->k_s >= UNDERWATER_F64_MIN_GAIN && params->k_s <= UNDERWATER_F64_MAX_RATE)) {
+        return UNDERWATER_F64_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0 && params->max_drift <= UNDERWATER_F64_MOST_DRIFT)) {
         return UNDERWATER_F64_BAD_PARAMS;
     }
     underwater_f64_definiteness(params, pivot);
