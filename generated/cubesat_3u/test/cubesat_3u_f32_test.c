@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -1052,7 +1052,8 @@ static int is_told(const trial *one, cubesat_3u_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*CUBESAT_3U_F32_MAX_INPUT, -2.0F*CUBESAT_3U_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*CUBESAT_3U_F32_MAX_INPUT, -2.0F*(CUBESAT_3U_F32_MAX_INPUT +
+                CUBESAT_3U_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -1121,7 +1122,15 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const cubesat_3u_f32_case hollow = {
-        .bare = {0xC655FF85U, 0xC655FF85U, 0xE23C62B5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F},
+         {-0.25F, 0.0F, 0.25F},
+         {0.5F, 0.75F, -0.75F}},
+        {{-7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F,
+          -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F},
+         {0.0F, 0.25F, 0.5F},
+         {0.75F, -0.75F, -0.5F}},
+        .bare = {0xD153A4C6U, 0x38A428BBU, 0x35BFCB2DU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }
@@ -1154,20 +1163,23 @@ static int share_failures(void)
 {
     trial one;
     cubesat_3u_f32_command command;
+    float limit = 31.0F/16.0F;
     int failures = 0;
     int i;
     int j;
     at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0F;
+    }
     for (i = 0; i < 3; i++) {
-        one.params.force_limit[i] = one.params.inertia[0];
+        one.params.force_limit[i] = limit;
     }
     for (j = -SHARES; j <= SHARES; j++) {
         push(&one, 0, (float)j + 1.0F/2.0F);
         failures += cubesat_3u_f32_control(&one.params, &one.state, &one.reference, &command) !=
                 CUBESAT_3U_F32_SATURATED;
         for (i = 0; i < 3; i++) {
-            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
-                    one.params.force_limit[i]);
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
         }
     }
     return failures;

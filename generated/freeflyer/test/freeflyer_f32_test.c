@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -755,7 +755,8 @@ static int is_told(const trial *one, freeflyer_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*FREEFLYER_F32_MAX_INPUT, -2.0F*FREEFLYER_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*FREEFLYER_F32_MAX_INPUT, -2.0F*(FREEFLYER_F32_MAX_INPUT +
+                FREEFLYER_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -792,6 +793,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, FREEFLYER_F32_OK);
     failures += number_failures(&one, one.state.g, 16);
@@ -801,6 +803,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 6);
     failures += number_failures(&one, one.reference.nu_dot, 6);
+    for (i = 0; i < 16; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.state.g, 16);
+    for (i = 0; i < 16; i++) {
+        one.state.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.reference.g, 16);
     return failures;
 }
 
@@ -823,7 +833,16 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const freeflyer_f32_case hollow = {
-        .bare = {0x3AD73145U, 0x3AD73145U, 0xE2BA14A5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F,
+          7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F},
+         {-0.25F, 0.0F, 0.25F, 0.5F, 0.75F, -0.75F}},
+        {{-7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F,
+          -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F},
+         {0.0F, 0.25F, 0.5F, 0.75F, -0.75F, -0.5F},
+         {-0.25F, 0.0F, 0.25F, 0.5F, 0.75F, -0.75F}},
+        .bare = {0x98CEE60CU, 0x170F7EE4U, 0x108A5420U}
     };
     return bare_failures(&hollow, &hollow.truth);
 }
@@ -856,20 +875,23 @@ static int share_failures(void)
 {
     trial one;
     freeflyer_f32_command command;
+    float limit = 31.0F/16.0F;
     int failures = 0;
     int i;
     int j;
     at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0F;
+    }
     for (i = 0; i < 6; i++) {
-        one.params.force_limit[i] = one.params.inertia[0];
+        one.params.force_limit[i] = limit;
     }
     for (j = -SHARES; j <= SHARES; j++) {
         push(&one, 0, (float)j + 1.0F/2.0F);
         failures += freeflyer_f32_control(&one.params, &one.state, &one.reference, &command) !=
                 FREEFLYER_F32_SATURATED;
         for (i = 0; i < 6; i++) {
-            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
-                    one.params.force_limit[i]);
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
         }
     }
     return failures;

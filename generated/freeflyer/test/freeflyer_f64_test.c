@@ -10,7 +10,7 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -860,7 +860,8 @@ static int is_told(const trial *one, freeflyer_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count)
 {
     static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*FREEFLYER_F64_MAX_INPUT, -2.0*FREEFLYER_F64_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0*FREEFLYER_F64_MAX_INPUT, -2.0*(FREEFLYER_F64_MAX_INPUT +
+                FREEFLYER_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -897,6 +898,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, FREEFLYER_F64_OK);
     failures += number_failures(&one, one.state.g, 16);
@@ -906,6 +908,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 6);
     failures += number_failures(&one, one.reference.nu_dot, 6);
+    for (i = 0; i < 16; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 16);
+    for (i = 0; i < 16; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 16);
     return failures;
 }
 
@@ -928,7 +938,20 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const freeflyer_f64_case hollow = {
-        .bare = {0x75A104C5U, 0x75A104C5U, 0xC655FF85U}
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17},
+         {-0.25, 0.0, 0.25, 0.5, 0.75, -0.75}},
+        {{-2.7755575615628914e-17, -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17,
+          2.7755575615628914e-17, 4.163336342344337e-17, -4.163336342344337e-17,
+          -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17,
+          2.7755575615628914e-17, 4.163336342344337e-17, -4.163336342344337e-17,
+          -2.7755575615628914e-17, -1.3877787807814457e-17},
+         {0.0, 0.25, 0.5, 0.75, -0.75, -0.5},
+         {-0.25, 0.0, 0.25, 0.5, 0.75, -0.75}},
+        .bare = {0x8B054145U, 0xE543B4D2U, 0xD69001C3U}
     };
     return bare_failures(&hollow, &hollow.truth);
 }
@@ -961,20 +984,23 @@ static int share_failures(void)
 {
     trial one;
     freeflyer_f64_command command;
+    double limit = 31.0/16.0;
     int failures = 0;
     int i;
     int j;
     at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0;
+    }
     for (i = 0; i < 6; i++) {
-        one.params.force_limit[i] = one.params.inertia[0];
+        one.params.force_limit[i] = limit;
     }
     for (j = -SHARES; j <= SHARES; j++) {
         push(&one, 0, (double)j + 1.0/2.0);
         failures += freeflyer_f64_control(&one.params, &one.state, &one.reference, &command) !=
                 FREEFLYER_F64_SATURATED;
         for (i = 0; i < 6; i++) {
-            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
-                    one.params.force_limit[i]);
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
         }
     }
     return failures;

@@ -10,7 +10,7 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -701,7 +701,8 @@ static int is_told(const trial *one, hovercraft_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count)
 {
     static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*HOVERCRAFT_F64_MAX_INPUT, -2.0*HOVERCRAFT_F64_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0*HOVERCRAFT_F64_MAX_INPUT, -2.0*(HOVERCRAFT_F64_MAX_INPUT +
+                HOVERCRAFT_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -738,6 +739,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, HOVERCRAFT_F64_OK);
     failures += number_failures(&one, one.state.g, 9);
@@ -747,6 +749,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 3);
     failures += number_failures(&one, one.reference.nu_dot, 3);
+    for (i = 0; i < 9; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 9);
+    for (i = 0; i < 9; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 9);
     return failures;
 }
 
@@ -769,7 +779,16 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const hovercraft_f64_case hollow = {
-        .bare = {0x3AD73145U, 0x3AD73145U, 0xE2BA14A5U}
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17},
+         {-0.25, 0.0, 0.25}},
+        {{2.7755575615628914e-17, 4.163336342344337e-17, -4.163336342344337e-17,
+          -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17,
+          2.7755575615628914e-17, 4.163336342344337e-17},
+         {-0.75, -0.5, -0.25},
+         {0.0, 0.25, 0.5}},
+        .bare = {0xE93D87AFU, 0x930AE352U, 0xF2DD2929U}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -885,7 +885,8 @@ static int is_told(const trial *one, paper_s3_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_S3_F32_MAX_INPUT, -2.0F*PAPER_S3_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_S3_F32_MAX_INPUT, -2.0F*(PAPER_S3_F32_MAX_INPUT +
+                PAPER_S3_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -953,7 +954,12 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const paper_s3_f32_case hollow = {
-        .bare = {0xC655FF85U, 0xC655FF85U, 0xE23C62B5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F},
+         {-0.75F, -0.5F, -0.25F}},
+        .bare = {0x654B5DB6U, 0xCC57A254U, 0x78AC28FDU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

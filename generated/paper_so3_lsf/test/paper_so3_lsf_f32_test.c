@@ -11,7 +11,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -891,7 +891,8 @@ static int is_told(const trial *one, paper_so3_lsf_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_SO3_LSF_F32_MAX_INPUT, -2.0F*PAPER_SO3_LSF_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_SO3_LSF_F32_MAX_INPUT,
+                -2.0F*(PAPER_SO3_LSF_F32_MAX_INPUT + PAPER_SO3_LSF_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -959,7 +960,14 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const paper_so3_lsf_f32_case hollow = {
-        .bare = {0x17E22395U, 0xE23C62B5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F},
+         {-0.25F, 0.0F, 0.25F}},
+        {{7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F,
+          3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F},
+         {-0.75F, -0.5F, -0.25F},
+         {0.0F, 0.25F, 0.5F}},
+        .bare = {0x9C347CB1U, 0x5E32658CU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

@@ -11,7 +11,7 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -973,7 +973,8 @@ static int is_told(const trial *one, paper_so3_lsf_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count)
 {
     static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*PAPER_SO3_LSF_F64_MAX_INPUT, -2.0*PAPER_SO3_LSF_F64_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0*PAPER_SO3_LSF_F64_MAX_INPUT, -2.0*(PAPER_SO3_LSF_F64_MAX_INPUT
+                + PAPER_SO3_LSF_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -1041,7 +1042,16 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const paper_so3_lsf_f64_case hollow = {
-        .bare = {0x6AEFDE65U, 0xE2BA14A5U}
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17},
+         {-0.25, 0.0, 0.25}},
+        {{2.7755575615628914e-17, 4.163336342344337e-17, -4.163336342344337e-17,
+          -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17,
+          2.7755575615628914e-17, 4.163336342344337e-17},
+         {-0.75, -0.5, -0.25},
+         {0.0, 0.25, 0.5}},
+        .bare = {0x44F5F50DU, 0x62A49B77U}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -883,7 +883,8 @@ static int is_told(const trial *one, quadrotor_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*QUADROTOR_F32_MAX_INPUT, -2.0F*QUADROTOR_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*QUADROTOR_F32_MAX_INPUT, -2.0F*(QUADROTOR_F32_MAX_INPUT +
+                QUADROTOR_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -951,7 +952,12 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const quadrotor_f32_case hollow = {
-        .bare = {0xC655FF85U, 0xC655FF85U, 0xE23C62B5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F},
+         {-0.75F, -0.5F, -0.25F}},
+        .bare = {0xE0645950U, 0xBC6677E5U, 0x2690267BU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }
@@ -984,20 +990,23 @@ static int share_failures(void)
 {
     trial one;
     quadrotor_f32_command command;
+    float limit = 31.0F/16.0F;
     int failures = 0;
     int i;
     int j;
     at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0F;
+    }
     for (i = 0; i < 3; i++) {
-        one.params.force_limit[i] = one.params.inertia[0];
+        one.params.force_limit[i] = limit;
     }
     for (j = -SHARES; j <= SHARES; j++) {
         push(&one, 0, (float)j + 1.0F/2.0F);
         failures += quadrotor_f32_control(&one.params, &one.state, &one.reference, &command) !=
                 QUADROTOR_F32_SATURATED;
         for (i = 0; i < 3; i++) {
-            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
-                    one.params.force_limit[i]);
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
         }
     }
     return failures;

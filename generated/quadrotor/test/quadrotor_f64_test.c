@@ -10,7 +10,7 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -882,7 +882,8 @@ static int is_told(const trial *one, quadrotor_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count)
 {
     static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*QUADROTOR_F64_MAX_INPUT, -2.0*QUADROTOR_F64_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0*QUADROTOR_F64_MAX_INPUT, -2.0*(QUADROTOR_F64_MAX_INPUT +
+                QUADROTOR_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -950,7 +951,12 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const quadrotor_f64_case hollow = {
-        .bare = {0x3AD73145U, 0x3AD73145U, 0xE2BA14A5U}
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75}},
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75},
+         {-0.75, -0.5, -0.25}},
+        .bare = {0x3830DB7BU, 0x914867E6U, 0xB85AF0BFU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }
@@ -983,20 +989,23 @@ static int share_failures(void)
 {
     trial one;
     quadrotor_f64_command command;
+    double limit = 31.0/16.0;
     int failures = 0;
     int i;
     int j;
     at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0;
+    }
     for (i = 0; i < 3; i++) {
-        one.params.force_limit[i] = one.params.inertia[0];
+        one.params.force_limit[i] = limit;
     }
     for (j = -SHARES; j <= SHARES; j++) {
         push(&one, 0, (double)j + 1.0/2.0);
         failures += quadrotor_f64_control(&one.params, &one.state, &one.reference, &command) !=
                 QUADROTOR_F64_SATURATED;
         for (i = 0; i < 3; i++) {
-            failures += !(command.force[i] <= one.params.force_limit[i] && -command.force[i] <=
-                    one.params.force_limit[i]);
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
         }
     }
     return failures;

@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -543,7 +543,8 @@ static int is_told(const trial *one, sl2_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*SL2_F32_MAX_INPUT, -2.0F*SL2_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*SL2_F32_MAX_INPUT, -2.0F*(SL2_F32_MAX_INPUT +
+                SL2_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -564,6 +565,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, SL2_F32_OK);
     failures += number_failures(&one, one.state.g, 4);
@@ -571,6 +573,14 @@ static int input_failures(void)
     failures += number_failures(&one, one.reference.g, 4);
     failures += number_failures(&one, one.reference.nu, 3);
     failures += number_failures(&one, one.reference.nu_dot, 3);
+    for (i = 0; i < 4; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.state.g, 4);
+    for (i = 0; i < 4; i++) {
+        one.state.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.reference.g, 4);
     return failures;
 }
 
@@ -593,7 +603,12 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const sl2_f32_case hollow = {
-        .bare = {0xC655FF85U, 0xC655FF85U, 0xE23C62B5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F},
+         {-0.75F, -0.5F, -0.25F}},
+        .bare = {0xB63F8BBEU, 0x82F88C0EU, 0xB692D5A3U}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -970,7 +970,8 @@ static int is_told(const trial *one, two_bodies_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*TWO_BODIES_F32_MAX_INPUT, -2.0F*TWO_BODIES_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*TWO_BODIES_F32_MAX_INPUT, -2.0F*(TWO_BODIES_F32_MAX_INPUT +
+                TWO_BODIES_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -1008,6 +1009,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, TWO_BODIES_F32_OK);
     failures += number_failures(&one, one.state.g, 25);
@@ -1017,6 +1019,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 9);
     failures += number_failures(&one, one.reference.nu_dot, 9);
+    for (i = 0; i < 25; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.state.g, 25);
+    for (i = 0; i < 25; i++) {
+        one.state.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.reference.g, 25);
     return failures;
 }
 
@@ -1039,7 +1049,20 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const two_bodies_f32_case hollow = {
-        .bare = {0x725C3305U, 0x725C3305U, 0x17E22395U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F,
+          7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F,
+          3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F,
+          0.0F},
+         {0.25F, 0.5F, 0.75F, -0.75F, -0.5F, -0.25F, 0.0F, 0.25F, 0.5F}},
+        {{1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F,
+          7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F,
+          3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F,
+          0.0F, 3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F,
+          -3.7252903e-9F},
+         {0.0F, 0.25F, 0.5F, 0.75F, -0.75F, -0.5F, -0.25F, 0.0F, 0.25F},
+         {0.5F, 0.75F, -0.75F, -0.5F, -0.25F, 0.0F, 0.25F, 0.5F, 0.75F}},
+        .bare = {0x44E81726U, 0x49F0AA83U, 0xC462013AU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

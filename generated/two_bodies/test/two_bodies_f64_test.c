@@ -10,7 +10,7 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -1125,7 +1125,8 @@ static int is_told(const trial *one, two_bodies_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count)
 {
     static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*TWO_BODIES_F64_MAX_INPUT, -2.0*TWO_BODIES_F64_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0*TWO_BODIES_F64_MAX_INPUT, -2.0*(TWO_BODIES_F64_MAX_INPUT +
+                TWO_BODIES_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -1163,6 +1164,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, TWO_BODIES_F64_OK);
     failures += number_failures(&one, one.state.g, 25);
@@ -1172,6 +1174,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 9);
     failures += number_failures(&one, one.reference.nu_dot, 9);
+    for (i = 0; i < 25; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 25);
+    for (i = 0; i < 25; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 25);
     return failures;
 }
 
@@ -1194,7 +1204,25 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const two_bodies_f64_case hollow = {
-        .bare = {0xCB5A1845U, 0xCB5A1845U, 0x6AEFDE65U}
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5}},
+        {{4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17, 2.7755575615628914e-17,
+          4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17, 2.7755575615628914e-17,
+          4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17, 2.7755575615628914e-17,
+          4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17},
+         {0.0, 0.25, 0.5, 0.75, -0.75, -0.5, -0.25, 0.0, 0.25},
+         {0.5, 0.75, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75}},
+        .bare = {0x6E69CDADU, 0xCF53BFB8U, 0x53B657CCU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

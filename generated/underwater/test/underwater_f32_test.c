@@ -10,7 +10,7 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -818,7 +818,8 @@ static int is_told(const trial *one, underwater_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count)
 {
     static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*UNDERWATER_F32_MAX_INPUT, -2.0F*UNDERWATER_F32_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0F*UNDERWATER_F32_MAX_INPUT, -2.0F*(UNDERWATER_F32_MAX_INPUT +
+                UNDERWATER_F32_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -855,6 +856,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, UNDERWATER_F32_OK);
     failures += number_failures(&one, one.state.g, 16);
@@ -865,6 +867,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 6);
     failures += number_failures(&one, one.reference.nu_dot, 6);
+    for (i = 0; i < 16; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.state.g, 16);
+    for (i = 0; i < 16; i++) {
+        one.state.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.reference.g, 16);
     return failures;
 }
 
@@ -887,7 +897,17 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const underwater_f32_case hollow = {
-        .bare = {0x3AD73145U, 0x3AD73145U, 0xE2BA14A5U}
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F,
+          7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F},
+         {-0.25F, 0.0F, 0.25F, 0.5F, 0.75F, -0.75F},
+         {-0.5F, -0.25F, 0.0F, 0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F,
+          7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F},
+         {-0.25F, 0.0F, 0.25F, 0.5F, 0.75F, -0.75F},
+         {-0.5F, -0.25F, 0.0F, 0.25F, 0.5F, 0.75F}},
+        .bare = {0xAD3BCBC5U, 0xF7D52706U, 0x6E784535U}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

@@ -10,7 +10,7 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 32 /* forces tried either way against one limit */
+#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
@@ -947,7 +947,8 @@ static int is_told(const trial *one, underwater_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count)
 {
     static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*UNDERWATER_F64_MAX_INPUT, -2.0*UNDERWATER_F64_MAX_REACH
+        NOT_A_NUMBER, -INFINITE, 2.0*UNDERWATER_F64_MAX_INPUT, -2.0*(UNDERWATER_F64_MAX_INPUT +
+                UNDERWATER_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -984,6 +985,7 @@ static int input_failures(void)
 {
     trial one;
     int failures = 0;
+    int i;
     at_rest(&one);
     failures += !is_told(&one, UNDERWATER_F64_OK);
     failures += number_failures(&one, one.state.g, 16);
@@ -994,6 +996,14 @@ static int input_failures(void)
     failures += element_failures(&one, one.reference.g);
     failures += number_failures(&one, one.reference.nu, 6);
     failures += number_failures(&one, one.reference.nu_dot, 6);
+    for (i = 0; i < 16; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 16);
+    for (i = 0; i < 16; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 16);
     return failures;
 }
 
@@ -1016,7 +1026,21 @@ static int overflow_failures(void)
 static int hollow_failures(void)
 {
     static const underwater_f64_case hollow = {
-        .bare = {0x75A104C5U, 0x75A104C5U, 0xC655FF85U}
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17},
+         {-0.25, 0.0, 0.25, 0.5, 0.75, -0.75},
+         {-0.5, -0.25, 0.0, 0.25, 0.5, 0.75}},
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17},
+         {-0.25, 0.0, 0.25, 0.5, 0.75, -0.75},
+         {-0.5, -0.25, 0.0, 0.25, 0.5, 0.75}},
+        .bare = {0x99EC8EFCU, 0x229556B0U, 0xF175576EU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }
