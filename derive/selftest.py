@@ -66,11 +66,10 @@ def tables(
     """
     if not found:
         return {}
+    programs, identity = found["programs"], found["identity"]
+    rows = {scalar: _rows(vehicle, found, scalar, values) for scalar in printed}
     return {
-        scalar: selftest(
-            data, found["programs"][scalar], _rows(vehicle, found, scalar, values),
-            found["identity"], values, scalar,
-        )  # fmt: skip
+        scalar: selftest(data, programs[scalar], rows[scalar], identity, values, scalar)
         for scalar, data in printed.items()
     }
 

@@ -19,6 +19,9 @@ from tests.emit.subjects import COMPILERS, FILES, GUARDED, RANDOM, STEERED
 
 BY_NAME = {vehicle.name: vehicle for vehicle in FILES}
 PAPER = BY_NAME["paper_so3"]
+SHARED, LIMITED = BY_NAME["cubesat_3u"], BY_NAME["freeflyer"]
+"""Vehicles whose force is limited: as a whole, and each coordinate by itself."""
+
 FREE = next(v for v in STEERED if v.controller == "reaching" and v.group == "S3")
 """A controller without a reference."""
 
@@ -61,7 +64,7 @@ def test_the_code_gives_the_truth_and_these_very_bits(folder: Path, vehicle: Veh
         assert names == [f"{vehicle.name}_{scalar}" for scalar in vehicle.scalars]
 
 
-TABLE, CODE = "test/paper_so3_f32_test.c", "c/src/paper_so3_f32.c"
+TABLE = "test/paper_so3_f32_test.c"
 Change = Callable[[str], str]
 
 
@@ -90,15 +93,34 @@ BROKEN: dict[str, tuple[str, Change, int]] = {
 }  # fmt: skip
 """What of the table is changed, and how many failures there must be."""
 
-HARMED: dict[str, tuple[str, Change]] = {
-    "an ulp": (CODE, first(r"nu_u_0 = 2\.0F\*", "nu_u_0 = 2.0000002F*")),
-    "an ulp in reaching": (CODE, first(r"nu_u_0 = 2\.0F\*", "nu_u_0 = 2.0000002F*", -1)),
-    "a sign of the plant": (CODE, first(r"force_0 \+", "force_0 -", -1)),
-    "a gain that is not judged": (CODE, first(r"if \(!\(params->lambda [^{]*\{", "if (0) {")),
-    "an inertia that is not judged": (CODE, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
-    "pointers that are not judged": (CODE, first(r"\|\| reference == NULL", "|| 0")),
+HARMED: dict[str, tuple[Vehicle, Change]] = {
+    "an ulp": (PAPER, first(r"nu_u_0 = power_0", "nu_u_0 = 1.0000001F*power_0")),
+    "an ulp in reaching": (PAPER, first(r"nu_u_0 = power_0", "nu_u_0 = 1.0000001F*power_0", -1)),
+    "a bound that no element meets": (PAPER, first(r"bounded = 49\.0F", "bounded = 48.0F")),
+    "a sign of the plant": (PAPER, first(r"force_0 \+", "force_0 -", -1)),
+    "a velocity that is not judged": (PAPER, first(r"fabsf\(state->nu\[2\]\) <= \w+", "1")),
+    "a rate that is not judged": (PAPER, first(r"fabsf\(reference->nu_dot\[1\]\) <= \w+", "1")),
+    "a place that is not judged": (LIMITED, first(r"fabsf\(state->g\[7\]\) <= \w+", "1")),
+    "a reach that is not judged": (LIMITED, first(r"fabsf\(g_e_11\) <= \w+", "1", -1)),
+    "a force that is not judged": (PAPER, first(r"isfinite\(command->force\[1\]\)", "1")),
+    "a gain that is not judged": (PAPER, first(r"if \(!\(params->lambda [^{]*\{", "if (0) {")),
+    "a gain that may be too small": (PAPER, first(r"lambda >= \w+", "lambda > 0.0F")),
+    "a gain that may be too large": (PAPER, first(r"k_s <= \w+_MAX_RATE", "k_s <= 2.0e4F")),
+    "a gain that may be its least no more": (PAPER, first(r"lambda >= ", "lambda > ")),
+    "a drift of nothing": (PAPER, first(r"max_drift > 0\.0F", "max_drift >= 0.0F")),
+    "an inertia that is not judged": (PAPER, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
+    "pointers that are not judged": (PAPER, first(r"\|\| reference == NULL", "|| 0")),
+    "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "(1")),
+    "a limit that is no number": (
+        SHARED,
+        first(r"if \(!\(fabsf\(command->force\[i\]\)", "if (0 && (1"),
+    ),
+    "a share beyond its limit": (SHARED, first(r"force > limit \? limit : ", "")),
+    "a share beyond it the other way": (SHARED, first(r"force < -limit \? -limit : ", "")),
+    "a share that is not the least": (SHARED, first(r"part < share \? part : share", "part")),
+    "an infinite force that is cut": (LIMITED, first(r"isfinite\(force\) && ", "")),
 }
-"""What of the code is harmed: there must be a failure, or a crash."""
+"""Of which vehicle what code is harmed: there must be a failure, or a crash."""
 
 
 def changed(path: Path, change: Change) -> bool:
@@ -108,12 +130,12 @@ def changed(path: Path, change: Change) -> bool:
     return change(text) != text
 
 
-def failures(root: Path) -> int:
+def failures(root: Path, vehicle: Vehicle = PAPER) -> int:
     """What the test of one scalar returns, from a main without any library."""
-    main = root / "bare.c"
-    main.write_text(BARE.format("paper_so3_f32"), encoding="utf-8")
-    texts = [str(root / TABLE), str(root / CODE), str(main)]
-    flags = ["-std=c99", "-O1", *FLAGS[2:], *words(root, PAPER), *texts, "-lm"]
+    main, prefix = root / "bare.c", f"{vehicle.name}_f32"
+    main.write_text(BARE.format(prefix), encoding="utf-8")
+    texts = [root / f"test/{prefix}_test.c", root / f"c/src/{prefix}.c", main]
+    flags = ["-std=c99", "-O1", *FLAGS[2:], *words(root, vehicle), *map(str, texts), "-lm"]
     program = Compiler.find(COMPILERS).run(flags, root / "bare")
     return subprocess.run([program], check=False, timeout=60).returncode
 
@@ -128,10 +150,10 @@ def test_what_is_changed_in_the_table_is_counted(tmp_path: Path, name: str) -> N
 
 @pytest.mark.parametrize("name", HARMED)
 def test_what_is_harmed_in_the_code_is_found(tmp_path: Path, name: str) -> None:
-    path, change = HARMED[name]
-    root = subjects.place(PAPER, tmp_path)
-    assert changed(root / path, change)
-    assert failures(root) != 0
+    vehicle, change = HARMED[name]
+    root = subjects.place(vehicle, tmp_path)
+    assert changed(root / f"c/src/{vehicle.name}_f32.c", change)
+    assert failures(root, vehicle) != 0
 
 
 def test_ctest_runs_it(tmp_path: Path) -> None:

@@ -11,7 +11,6 @@
 #define INFINITE (1.0F/0.0F)
 
 #define LARGEST 3.4028235e38F
-#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U

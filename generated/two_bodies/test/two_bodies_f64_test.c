@@ -10,7 +10,6 @@
 #define INFINITE (1.0/0.0)
 
 #define LARGEST 1.7976931348623157e308
-#define SHARES 64 /* forces tried either way against one limit */
 
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
