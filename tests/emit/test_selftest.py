@@ -101,7 +101,6 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     "a velocity that is not judged": (PAPER, first(r"fabsf\(state->nu\[2\]\) <= \w+", "1")),
     "a rate that is not judged": (PAPER, first(r"fabsf\(reference->nu_dot\[1\]\) <= \w+", "1")),
     "a place that is not judged": (LIMITED, first(r"fabsf\(state->g\[7\]\) <= \w+", "1")),
-    "a reach that is not judged": (LIMITED, first(r"fabsf\(g_e_11\) <= \w+", "1", -1)),
     "a force that is not judged": (PAPER, first(r"isfinite\(command->force\[1\]\)", "1")),
     "a gain that is not judged": (PAPER, first(r"if \(!\(params->lambda [^{]*\{", "if (0) {")),
     "a gain that may be too small": (PAPER, first(r"lambda >= \w+", "lambda > 0.0F")),
@@ -110,7 +109,7 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     "a drift of nothing": (PAPER, first(r"max_drift > 0\.0F", "max_drift >= 0.0F")),
     "an inertia that is not judged": (PAPER, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
     "pointers that are not judged": (PAPER, first(r"\|\| reference == NULL", "|| 0")),
-    "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "(1")),
+    "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "1")),
     "a limit that is no number": (
         SHARED,
         first(r"if \(!\(fabsf\(command->force\[i\]\)", "if (0 && (1"),
