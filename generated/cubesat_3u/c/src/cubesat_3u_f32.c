@@ -5,7 +5,10 @@
 #include "cubesat_3u_f32.h"
 
 #include <math.h>
+
+#ifdef CUBESAT_3U_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -603,7 +606,7 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
         cubesat_3u_f32_command *command)
 {
     float clearance;
-#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef CUBESAT_3U_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }

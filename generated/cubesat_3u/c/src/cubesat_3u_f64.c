@@ -5,7 +5,10 @@
 #include "cubesat_3u_f64.h"
 
 #include <math.h>
+
+#ifdef CUBESAT_3U_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -615,7 +618,7 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
         cubesat_3u_f64_command *command)
 {
     double clearance;
-#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef CUBESAT_3U_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return CUBESAT_3U_F64_BAD_PARAMS;
     }

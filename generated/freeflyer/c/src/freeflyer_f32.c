@@ -5,7 +5,10 @@
 #include "freeflyer_f32.h"
 
 #include <math.h>
+
+#ifdef FREEFLYER_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1095,7 +1098,7 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
         freeflyer_f32_command *command)
 {
     float clearance;
-#ifdef FREEFLYER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef FREEFLYER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return FREEFLYER_F32_BAD_PARAMS;
     }

@@ -5,7 +5,10 @@
 #include "quadrotor_f32.h"
 
 #include <math.h>
+
+#ifdef QUADROTOR_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -566,7 +569,7 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         quadrotor_f32_command *command)
 {
     float clearance;
-#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return QUADROTOR_F32_BAD_PARAMS;
     }

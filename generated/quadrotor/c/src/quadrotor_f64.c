@@ -5,7 +5,10 @@
 #include "quadrotor_f64.h"
 
 #include <math.h>
+
+#ifdef QUADROTOR_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -579,7 +582,7 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
     double clearance;
-#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return QUADROTOR_F64_BAD_PARAMS;
     }
