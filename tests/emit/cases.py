@@ -62,6 +62,15 @@ def distance(vehicle: Vehicle) -> Callable[[Array], float]:
     return lambda g: float(np.linalg.norm(run(*g)))
 
 
+def divides(vehicle: Vehicle) -> bool:
+    """Whether an inverse of stored numbers divides by some of them."""
+    known = group(vehicle)
+    stored = sympy.Matrix(sympy.symbols(f"g:{known.size}"))
+    return any(
+        sympy.denom(sympy.together(x)).free_symbols for x in known.inverse(known.embed(stored))
+    )
+
+
 def put(row: Row, field: str, index: int, value: float) -> Row:
     changed = row[field].copy()
     changed[index] = value
@@ -112,8 +121,9 @@ def _drifted(vehicle: Vehicle, row: Row, limit: float) -> Iterator[Case]:
                 factor = 1 + sign * part * limit / slope
                 yield Case(f"{field} times {factor}", {**row, field: g * factor}, status)
         for name, far in (("zero", 0 * g), ("doubled", 2 * g), ("inverted", -g)):
-            if size(far) > 0.01:
-                yield Case(f"{field} {name}", {**row, field: far}, OFF)
+            if size(far) > 0.01:  # what has no inverse is infinitely far from anything
+                status = RANGE if (field, name) == ("g_r", "zero") and divides(vehicle) else OFF
+                yield Case(f"{field} {name}", {**row, field: far}, status)
         for k in range(len(g)):
             if size(put(row, field, k, 1.5)[field]) > 0.01:
                 yield Case(f"{field}[{k}] = 1.5", put(row, field, k, 1.5), OFF)
