@@ -130,8 +130,8 @@ _RECORDS = {
     "S3": (
         _law("log", lambda let, error: K(error.w), "the rotation vector", _at_minus_i, True),
         _law(
-            "half_log", lambda let, error: K(error.w) / 2, "half the rotation vector", _at_minus_i, True,
-            _S3,
+            "half_log", lambda let, error: K(error.w) / 2, "half the rotation vector",
+            _at_minus_i, True, _S3,
         ),
         _law("mrp", _mrp, "4 v/(1 + w)", _at_minus_i, True),
         _law("vec", lambda let, error: sympy.S.One, "2 v, smooth everywhere", None),
