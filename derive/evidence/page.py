@@ -23,14 +23,19 @@ from derive.verify.limits import Limit
 WHOLE = "Everything was run."
 """In the first lines of a page that lacks nothing."""
 
+LESS = "**Not everything was run**: what is left out stands at the end."
+"""In those of another."""
+
 LISTED = 12
 """Details of a check that are shown at most."""
 
-WIDEST = 46
-"""Columns are padded up to here, for those who read the page as text."""
+SHORT = 300
+"""Characters up to which the details of a check are one paragraph."""
+
+SCALARS = {"f32": "float (f32)", "f64": "double (f64)"}
 
 _PLACE = re.compile(r"(?<![\w/.)\]])/(?:[\w.+-]+/)+")
-_HEAD = ("check", "on", "measured", "at most", "of", "", "worst at")
+_HEAD = ("check", "on", "measured", "at most", "of", "result", "worst at")
 
 
 def page(evidence: Evidence) -> str:
@@ -41,12 +46,12 @@ def page(evidence: Evidence) -> str:
         name=work.name,
         version=__version__,
         facts=facts,
-        scalars=[one.scalar for one in work.packages],
+        scalars=" and ".join(SCALARS[one.scalar] for one in work.packages),
         hashes=table(("file", "SHA-256"), [_quoted(*row) for row in hashes(work.texts).items()]),
         count=len(evidence.all_checks),
-        failed=[_row(work.name, check) for check in evidence.failed],
-        whole=WHOLE if evidence.is_whole else "",
-        summary=table(("promise", "at most", "measured", "of", ""), _summary(evidence)),
+        failed=[_failure(work.name, check) for check in evidence.failed],
+        whole=WHOLE if evidence.is_whole else LESS,
+        summary=table(("promise", "at most", "measured", "of", "result"), _summary(evidence)),
         kinds=[_section(evidence, kind.key, checks) for kind, checks in evidence.checks],
         missing=[shown(text) for text in evidence.missing],
         left_out=evidence.left_out,
@@ -55,12 +60,11 @@ def page(evidence: Evidence) -> str:
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table of Markdown, its columns one below the other."""
+    """A table of Markdown, its columns but the last one below the other for who reads the text."""
     both = [head, *rows]
-    widths = [min(WIDEST, max(len(row[i]) for row in both)) for i in range(len(head))]
-    written = [_joined(row, widths) for row in both]
-    written.insert(1, _joined(["-" * max(3, width) for width in widths], [0] * len(widths)))
-    return "\n".join(written)
+    widths = [max(3, *(len(row[i]) for row in both)) for i in range(len(head) - 1)]
+    rule = ["-" * width for width in (*widths, 3)]
+    return "\n".join(_joined(row, (*widths, 0)) for row in (head, rule, *rows))
 
 
 def _joined(row: Sequence[str], widths: Sequence[int]) -> str:
@@ -87,19 +91,31 @@ def _summary(evidence: Evidence) -> list[tuple[str, ...]]:
 
 def _section(evidence: Evidence, key: str, checks: Sequence[Check]) -> dict[str, Any]:
     name = evidence.work.name
-    told = [check for check in checks if len(check.details) > 1]
     return {
         "key": key,
         "table": table(_HEAD, [_row(name, check) for check in checks]) if checks else "",
-        "details": [
-            {
-                "check": f"{check.name}, {_subject(name, check)}",
-                "lines": [shown(line) for line in check.details[:LISTED]],
-                "more": max(0, len(check.details) - LISTED),
-            }
-            for check in told
-        ],
+        "details": [_details(name, check) for check in checks if len(check.details) > 1],
     }
+
+
+def _details(name: str, check: Check) -> dict[str, Any]:
+    """What a check tells besides: the first lines, or a paragraph where it is short."""
+    lines = [shown(line) for line in check.details[:LISTED]]
+    if more := len(check.details) - len(lines):
+        lines.append(f"and {more} more")
+    paragraph = "; ".join(lines)
+    return {
+        "check": f"`{check.name}`, {_subject(name, check)}",
+        "paragraph": paragraph if len(paragraph) <= SHORT else "",
+        "lines": lines,
+    }
+
+
+def _failure(name: str, check: Check) -> str:
+    """A check that failed, in a line."""
+    found = f"{_measured(check)}, at most {_limit(check.limit)}"
+    where = f"; {shown(check.worst)}" if check.worst else ""
+    return f"{shown(check.name)}, {_subject(name, check)}: {found}{where}"
 
 
 def _row(name: str, check: Check) -> tuple[str, ...]:
