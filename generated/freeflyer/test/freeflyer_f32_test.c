@@ -860,7 +860,7 @@ static int limit_failures(void)
         for (j = 0; j < 6; j++) {
             one.params.force_limit[j] = FREEFLYER_F32_MAX_PARAM;
         }
-        one.params.force_limit[i] = FREEFLYER_F32_MIN_GAIN;
+        one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, FREEFLYER_F32_SATURATED);
         one.params.force_limit[i] = NOT_A_NUMBER;
         failures += !is_told(&one, FREEFLYER_F32_NONFINITE_INPUT);

@@ -969,7 +969,7 @@ static int limit_failures(void)
         for (j = 0; j < 6; j++) {
             one.params.force_limit[j] = FREEFLYER_F64_MAX_PARAM;
         }
-        one.params.force_limit[i] = FREEFLYER_F64_MIN_GAIN;
+        one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, FREEFLYER_F64_SATURATED);
         one.params.force_limit[i] = NOT_A_NUMBER;
         failures += !is_told(&one, FREEFLYER_F64_NONFINITE_INPUT);
