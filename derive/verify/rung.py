@@ -77,7 +77,7 @@ class Rung:
         return f"{what} {rest} rad {side} the cut" if float(rest) else f"{what} at the cut"
 
 
-def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
+def ladder(vehicle: Plant, scalar: str, *, is_pole: bool) -> Iterator[Rung]:
     """The rungs of a vehicle; a slow one and a fast one find the limits of a force."""
     yield from (Rung("1e-4", False, pace=SLOW), Rung("0.5", True, pace=FAST))
     if vehicle.own is not None:
@@ -92,6 +92,8 @@ def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
         yield from (Rung(rest, True) for rest in ("0", *SMALL, *MIDDLE, *beyond))
     else:
         yield from (Rung(*one) for one in FEW)
+    if is_pole and not vehicle.is_attitude:
+        yield Rung(f"-{CLOSE[scalar]}", False, True)  # refused, so that it needs no truth
     yield from _at_cut(vehicle, scalar)
 
 
