@@ -83,14 +83,16 @@ def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
     if vehicle.own is not None:
         yield from (Rung(rest, is_moving) for rest, is_moving in OWN)
         return
+    if not any(one.turns for one in factors(vehicle.space)):
+        yield from (Rung("0", False), Rung("1", True))  # nothing turns, all rungs are alike
+        return
     yield from (Rung("0", False), Rung(TINY[scalar], False))
     if vehicle.is_attitude:
         beyond = BEYOND if vehicle.group == "S3" else ()
         yield from (Rung(rest, True) for rest in ("0", *SMALL, *MIDDLE, *beyond))
     else:
         yield from (Rung(*one) for one in FEW)
-    if any(one.turns for one in factors(vehicle.space)):
-        yield from _at_cut(vehicle, scalar)
+    yield from _at_cut(vehicle, scalar)
 
 
 def _at_cut(vehicle: Plant, scalar: str) -> Iterator[Rung]:
