@@ -15,6 +15,7 @@ from typing import Any
 from derive.emit.literal import exact, nearest
 from derive.emit.program import ERROR, PAST, Given, Limit, Routine, bits, limited, pack, run
 from derive.emit.render import fold
+from derive.emit.side import axis, steps
 from derive.emit.status import FIRST_BAD, STATUSES
 
 WORDS = {"f32": "uint32_t", "f64": "uint64_t"}
@@ -103,8 +104,15 @@ def selftest(
         "zero_bits": code.bits(nothing),
         "digits": DIGITS,
         "diagonal": [i * n - i * (i - 1) // 2 for i in range(n)],
+        **_sided(values, scalar),
         "first_good": next(i for i, row in enumerate(rows) if VALUE[row["status"]] < FIRST_BAD),
     }
+
+
+def _sided(values: Mapping[str, Any], scalar: str) -> dict[str, Any]:
+    """The steps to and fro across half a turn, where the shorter way round is taken."""
+    margin = values["hysteresis"]
+    return {} if margin is None else {"steps": steps(margin, scalar), "axis": axis(scalar)}
 
 
 def _params(printed: Mapping[str, Any], values: Mapping[str, Any], scalar: str) -> Given:

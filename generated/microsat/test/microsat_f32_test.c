@@ -864,9 +864,10 @@ static int bare_failures(const microsat_f32_case *one, const microsat_f32_comman
 
 int microsat_f32_failures(const microsat_f32_case *one)
 {
+    microsat_f32_side side = {0.0F};
     microsat_f32_command command;
     const microsat_f32_status status = microsat_f32_control(&microsat_f32_defaults, &one->state,
-            &one->reference, &command);
+            &one->reference, &side, &command);
     int failures = 0;
     failures += status != one->status;
     failures += is_untrue(one, &command);
@@ -932,10 +933,11 @@ static int unchecked_failures(void)
 {
     const microsat_f32_case *const one = &microsat_f32_cases[0];
     microsat_f32_params params = microsat_f32_defaults;
+    microsat_f32_side side = {0.0F};
     microsat_f32_command command;
     microsat_f32_status status;
     params.inertia[0] = INFINITE;
-    status = microsat_f32_control(&params, &one->state, &one->reference, &command);
+    status = microsat_f32_control(&params, &one->state, &one->reference, &side, &command);
     return (status != MICROSAT_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
 }
 
@@ -945,23 +947,130 @@ static int pointer_failures(void)
     int failures = 0;
 #ifdef MICROSAT_CHECK_POINTERS
     const microsat_f32_case *const one = &microsat_f32_cases[0];
+    microsat_f32_side side = {0.0F};
     microsat_f32_command command;
     failures += is_taken(NULL);
-    failures += microsat_f32_control(NULL, &one->state, &one->reference, &command) !=
+    failures += microsat_f32_control(NULL, &one->state, &one->reference, &side, &command) !=
             MICROSAT_F32_BAD_PARAMS;
-    failures += microsat_f32_control(&microsat_f32_defaults, NULL, &one->reference, &command) !=
+    failures += microsat_f32_control(&microsat_f32_defaults, NULL, &one->reference, &side, &command)
+            != MICROSAT_F32_BAD_PARAMS;
+    failures += microsat_f32_control(&microsat_f32_defaults, &one->state, NULL, &side, &command) !=
             MICROSAT_F32_BAD_PARAMS;
-    failures += microsat_f32_control(&microsat_f32_defaults, &one->state, NULL, &command) !=
-            MICROSAT_F32_BAD_PARAMS;
-    failures += microsat_f32_control(&microsat_f32_defaults, &one->state, &one->reference, NULL) !=
-            MICROSAT_F32_BAD_PARAMS;
+    failures += microsat_f32_control(&microsat_f32_defaults, &one->state, &one->reference, NULL,
+            &command) != MICROSAT_F32_BAD_PARAMS;
+    failures += microsat_f32_control(&microsat_f32_defaults, &one->state, &one->reference, &side,
+            NULL) != MICROSAT_F32_BAD_PARAMS;
 #endif
+    return failures;
+}
+
+/* Errors turned about one axis: the side before the call, or the one that was left where `is_kept`,
+   the scalar part and the length of the vector part, the side after it, and whether that is near.
+           */
+typedef struct {
+    int is_kept;
+    float before;
+    float scalar;
+    float vector;
+    float after;
+    int is_near;
+} step;
+
+static const step steps[20] = {
+    {0, 0.0F, 0.125F, 0.99215674F, 1.0F, 0},
+    {1, 0.0F, 0.075F, 0.99718356F, 1.0F, 1},
+    {1, 0.0F, -0.075F, 0.99718356F, 1.0F, 1},
+    {1, 0.0F, 0.075F, 0.99718356F, 1.0F, 1},
+    {1, 0.0F, -0.075F, 0.99718356F, 1.0F, 1},
+    {1, 0.0F, -0.125F, 0.99215674F, -1.0F, 0},
+    {1, 0.0F, -0.075F, 0.99718356F, -1.0F, 1},
+    {1, 0.0F, 0.075F, 0.99718356F, -1.0F, 1},
+    {1, 0.0F, -0.075F, 0.99718356F, -1.0F, 1},
+    {1, 0.0F, 0.125F, 0.99215674F, 1.0F, 0},
+    {0, 0.0F, 0.075F, 0.99718356F, 1.0F, 1},
+    {0, 0.0F, -0.075F, 0.99718356F, -1.0F, 1},
+    {0, NOT_A_NUMBER, 0.075F, 0.99718356F, 1.0F, 1},
+    {0, NOT_A_NUMBER, -0.075F, 0.99718356F, -1.0F, 1},
+    {0, 7.0F, -0.075F, 0.99718356F, 1.0F, 1},
+    {0, 7.0F, -0.125F, 0.99215674F, -1.0F, 0},
+    {0, INFINITE, -0.075F, 0.99718356F, 1.0F, 1},
+    {0, -INFINITE, 0.075F, 0.99718356F, -1.0F, 1},
+    {0, -7.0F, 0.125F, 0.99215674F, 1.0F, 0},
+    {0, 0.0F, 0.0F, 1.0F, 1.0F, 1}
+};
+
+/* The law of the error as it was taken, bit for bit, and what else is said of a step. */
+static int step_failures(const step *one, const microsat_f32_case *good, microsat_f32_side *side)
+{
+    static const float axis[3] = {0.2857143F, -0.42857143F, 0.85714287F};
+    microsat_f32_state state = good->state;
+    microsat_f32_reference reference = good->reference;
+    microsat_f32_command command;
+    microsat_f32_command bare;
+    microsat_f32_status status;
+    int failures = 0;
+    int i;
+    if (!one->is_kept) {
+        side->sign = one->before;
+    }
+    state.g[0] = one->scalar;
+    reference.g[0] = 1.0F;
+    for (i = 0; i < 3; i++) {
+        state.g[i + 1] = one->vector*axis[i];
+        reference.g[i + 1] = 0.0F;
+    }
+    status = microsat_f32_control(&microsat_f32_defaults, &state, &reference, side, &command);
+    for (i = 0; i < 4; i++) {
+        state.g[i] *= one->after;
+    }
+    microsat_f32_tracking(&microsat_f32_defaults, &state, &reference, &bare);
+    failures += hashed(START, command.nu_u, 3) != hashed(START, bare.nu_u, 3);
+    failures += hashed(START, command.s, 3) != hashed(START, bare.s, 3);
+    failures += hashed(START, &side->sign, 1) != hashed(START, &one->after, 1);
+    failures += (status == MICROSAT_F32_NEAR_CUT_LOCUS) != one->is_near;
+    failures += status >= MICROSAT_F32_NOT_ON_GROUP;
+    return failures;
+}
+
+/* A side is left as it is, whatever it is, where the input is refused or the answer is none. */
+static int refused_side_failures(const microsat_f32_case *good)
+{
+    static const float left[3] = {NOT_A_NUMBER, 7.0F, 0.0F};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        microsat_f32_params params = microsat_f32_defaults;
+        microsat_f32_state state = good->state;
+        microsat_f32_command command;
+        microsat_f32_side side;
+        side.sign = left[i];
+        state.nu[i % 3] = NOT_A_NUMBER;
+        failures += microsat_f32_control(&params, &state, &good->reference, &side, &command) !=
+                MICROSAT_F32_NONFINITE_INPUT;
+        params.inertia[0] = INFINITE;
+        failures += microsat_f32_control(&params, &good->state, &good->reference, &side, &command)
+                != MICROSAT_F32_NONFINITE_INPUT;
+        failures += hashed(START, &side.sign, 1) != hashed(START, &left[i], 1);
+    }
+    return failures;
+}
+
+/* Which way round is taken, along errors that pass half a turn to and fro. */
+static int side_failures(void)
+{
+    const microsat_f32_case *const good = &microsat_f32_cases[0];
+    microsat_f32_side side = {0.0F};
+    int failures = refused_side_failures(good);
+    int i;
+    for (i = 0; i < 20; i++) {
+        failures += step_failures(&steps[i], good, &side);
+    }
     return failures;
 }
 
 int microsat_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + unchecked_failures() + pointer_failures() + side_failures();
     int i;
     for (i = 0; i < MICROSAT_F32_CASES; i++) {
         failures += microsat_f32_failures(&microsat_f32_cases[i]);

@@ -864,9 +864,10 @@ static int bare_failures(const microsat_f64_case *one, const microsat_f64_comman
 
 int microsat_f64_failures(const microsat_f64_case *one)
 {
+    microsat_f64_side side = {0.0};
     microsat_f64_command command;
     const microsat_f64_status status = microsat_f64_control(&microsat_f64_defaults, &one->state,
-            &one->reference, &command);
+            &one->reference, &side, &command);
     int failures = 0;
     failures += status != one->status;
     failures += is_untrue(one, &command);
@@ -932,10 +933,11 @@ static int unchecked_failures(void)
 {
     const microsat_f64_case *const one = &microsat_f64_cases[0];
     microsat_f64_params params = microsat_f64_defaults;
+    microsat_f64_side side = {0.0};
     microsat_f64_command command;
     microsat_f64_status status;
     params.inertia[0] = INFINITE;
-    status = microsat_f64_control(&params, &one->state, &one->reference, &command);
+    status = microsat_f64_control(&params, &one->state, &one->reference, &side, &command);
     return (status != MICROSAT_F64_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
 }
 
@@ -945,23 +947,130 @@ static int pointer_failures(void)
     int failures = 0;
 #ifdef MICROSAT_CHECK_POINTERS
     const microsat_f64_case *const one = &microsat_f64_cases[0];
+    microsat_f64_side side = {0.0};
     microsat_f64_command command;
     failures += is_taken(NULL);
-    failures += microsat_f64_control(NULL, &one->state, &one->reference, &command) !=
+    failures += microsat_f64_control(NULL, &one->state, &one->reference, &side, &command) !=
             MICROSAT_F64_BAD_PARAMS;
-    failures += microsat_f64_control(&microsat_f64_defaults, NULL, &one->reference, &command) !=
+    failures += microsat_f64_control(&microsat_f64_defaults, NULL, &one->reference, &side, &command)
+            != MICROSAT_F64_BAD_PARAMS;
+    failures += microsat_f64_control(&microsat_f64_defaults, &one->state, NULL, &side, &command) !=
             MICROSAT_F64_BAD_PARAMS;
-    failures += microsat_f64_control(&microsat_f64_defaults, &one->state, NULL, &command) !=
-            MICROSAT_F64_BAD_PARAMS;
-    failures += microsat_f64_control(&microsat_f64_defaults, &one->state, &one->reference, NULL) !=
-            MICROSAT_F64_BAD_PARAMS;
+    failures += microsat_f64_control(&microsat_f64_defaults, &one->state, &one->reference, NULL,
+            &command) != MICROSAT_F64_BAD_PARAMS;
+    failures += microsat_f64_control(&microsat_f64_defaults, &one->state, &one->reference, &side,
+            NULL) != MICROSAT_F64_BAD_PARAMS;
 #endif
+    return failures;
+}
+
+/* Errors turned about one axis: the side before the call, or the one that was left where `is_kept`,
+   the scalar part and the length of the vector part, the side after it, and whether that is near.
+           */
+typedef struct {
+    int is_kept;
+    double before;
+    double scalar;
+    double vector;
+    double after;
+    int is_near;
+} step;
+
+static const step steps[20] = {
+    {0, 0.0, 0.125, 0.9921567416492215, 1.0, 0},
+    {1, 0.0, 0.075, 0.9971835337589565, 1.0, 1},
+    {1, 0.0, -0.075, 0.9971835337589565, 1.0, 1},
+    {1, 0.0, 0.075, 0.9971835337589565, 1.0, 1},
+    {1, 0.0, -0.075, 0.9971835337589565, 1.0, 1},
+    {1, 0.0, -0.125, 0.9921567416492215, -1.0, 0},
+    {1, 0.0, -0.075, 0.9971835337589565, -1.0, 1},
+    {1, 0.0, 0.075, 0.9971835337589565, -1.0, 1},
+    {1, 0.0, -0.075, 0.9971835337589565, -1.0, 1},
+    {1, 0.0, 0.125, 0.9921567416492215, 1.0, 0},
+    {0, 0.0, 0.075, 0.9971835337589565, 1.0, 1},
+    {0, 0.0, -0.075, 0.9971835337589565, -1.0, 1},
+    {0, NOT_A_NUMBER, 0.075, 0.9971835337589565, 1.0, 1},
+    {0, NOT_A_NUMBER, -0.075, 0.9971835337589565, -1.0, 1},
+    {0, 7.0, -0.075, 0.9971835337589565, 1.0, 1},
+    {0, 7.0, -0.125, 0.9921567416492215, -1.0, 0},
+    {0, INFINITE, -0.075, 0.9971835337589565, 1.0, 1},
+    {0, -INFINITE, 0.075, 0.9971835337589565, -1.0, 1},
+    {0, -7.0, 0.125, 0.9921567416492215, 1.0, 0},
+    {0, 0.0, 0.0, 1.0, 1.0, 1}
+};
+
+/* The law of the error as it was taken, bit for bit, and what else is said of a step. */
+static int step_failures(const step *one, const microsat_f64_case *good, microsat_f64_side *side)
+{
+    static const double axis[3] = {0.2857142857142857, -0.42857142857142855, 0.8571428571428571};
+    microsat_f64_state state = good->state;
+    microsat_f64_reference reference = good->reference;
+    microsat_f64_command command;
+    microsat_f64_command bare;
+    microsat_f64_status status;
+    int failures = 0;
+    int i;
+    if (!one->is_kept) {
+        side->sign = one->before;
+    }
+    state.g[0] = one->scalar;
+    reference.g[0] = 1.0;
+    for (i = 0; i < 3; i++) {
+        state.g[i + 1] = one->vector*axis[i];
+        reference.g[i + 1] = 0.0;
+    }
+    status = microsat_f64_control(&microsat_f64_defaults, &state, &reference, side, &command);
+    for (i = 0; i < 4; i++) {
+        state.g[i] *= one->after;
+    }
+    microsat_f64_tracking(&microsat_f64_defaults, &state, &reference, &bare);
+    failures += hashed(START, command.nu_u, 3) != hashed(START, bare.nu_u, 3);
+    failures += hashed(START, command.s, 3) != hashed(START, bare.s, 3);
+    failures += hashed(START, &side->sign, 1) != hashed(START, &one->after, 1);
+    failures += (status == MICROSAT_F64_NEAR_CUT_LOCUS) != one->is_near;
+    failures += status >= MICROSAT_F64_NOT_ON_GROUP;
+    return failures;
+}
+
+/* A side is left as it is, whatever it is, where the input is refused or the answer is none. */
+static int refused_side_failures(const microsat_f64_case *good)
+{
+    static const double left[3] = {NOT_A_NUMBER, 7.0, 0.0};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        microsat_f64_params params = microsat_f64_defaults;
+        microsat_f64_state state = good->state;
+        microsat_f64_command command;
+        microsat_f64_side side;
+        side.sign = left[i];
+        state.nu[i % 3] = NOT_A_NUMBER;
+        failures += microsat_f64_control(&params, &state, &good->reference, &side, &command) !=
+                MICROSAT_F64_NONFINITE_INPUT;
+        params.inertia[0] = INFINITE;
+        failures += microsat_f64_control(&params, &good->state, &good->reference, &side, &command)
+                != MICROSAT_F64_NONFINITE_INPUT;
+        failures += hashed(START, &side.sign, 1) != hashed(START, &left[i], 1);
+    }
+    return failures;
+}
+
+/* Which way round is taken, along errors that pass half a turn to and fro. */
+static int side_failures(void)
+{
+    const microsat_f64_case *const good = &microsat_f64_cases[0];
+    microsat_f64_side side = {0.0};
+    int failures = refused_side_failures(good);
+    int i;
+    for (i = 0; i < 20; i++) {
+        failures += step_failures(&steps[i], good, &side);
+    }
     return failures;
 }
 
 int microsat_f64_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + unchecked_failures() + pointer_failures() + side_failures();
     int i;
     for (i = 0; i < MICROSAT_F64_CASES; i++) {
         failures += microsat_f64_failures(&microsat_f64_cases[i]);
