@@ -578,9 +578,11 @@ static microsat_f32_status microsat_f32_saturate(const microsat_f32_params *para
     return MICROSAT_F32_SATURATED;
 }
 
-/* What a computed command is worth, given the scalar part of the error. */
+/* What a computed command is worth, given the scalar part of the error; a good one settles its
+        sign. */
 static microsat_f32_status microsat_f32_verdict(const microsat_f32_params *params,
-        const float clearance, microsat_f32_command *command)
+        const float clearance, const float sign, microsat_f32_side *side,
+        microsat_f32_command *command)
 {
     microsat_f32_status status = MICROSAT_F32_OK;
     if (!(fabsf(command->force[0]) <= params->force_limit[0]
@@ -591,6 +593,7 @@ static microsat_f32_status microsat_f32_verdict(const microsat_f32_params *param
             return status;
         }
     }
+    side->sign = sign;
     return clearance < MICROSAT_F32_HYSTERESIS ? MICROSAT_F32_NEAR_CUT_LOCUS : status;
 }
 
@@ -612,7 +615,6 @@ microsat_f32_status microsat_f32_control(const microsat_f32_params *params,
         const microsat_f32_state *state, const microsat_f32_reference *reference,
         microsat_f32_side *side, microsat_f32_command *command)
 {
-    microsat_f32_status status;
     float sign;
 #ifdef MICROSAT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
     if (params == NULL || state == NULL || reference == NULL || side == NULL || command == NULL) {
@@ -660,11 +662,7 @@ microsat_f32_status microsat_f32_control(const microsat_f32_params *params,
     sign = microsat_f32_chosen(side->sign, g_e_0);
     (void)microsat_f32_law(params, state, reference, command, sign*g_e_0, sign*g_e_1, sign*g_e_2,
             sign*g_e_3);
-    status = microsat_f32_verdict(params, sign*g_e_0, command);
-    if (status < MICROSAT_F32_NOT_ON_GROUP) {
-        side->sign = sign;
-    }
-    return status;
+    return microsat_f32_verdict(params, sign*g_e_0, sign, side, command);
 }
 
 microsat_f32_status microsat_f32_check_params(const microsat_f32_params *params)

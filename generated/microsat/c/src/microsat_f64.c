@@ -590,9 +590,11 @@ static microsat_f64_status microsat_f64_saturate(const microsat_f64_params *para
     return MICROSAT_F64_SATURATED;
 }
 
-/* What a computed command is worth, given the scalar part of the error. */
+/* What a computed command is worth, given the scalar part of the error; a good one settles its
+        sign. */
 static microsat_f64_status microsat_f64_verdict(const microsat_f64_params *params,
-        const double clearance, microsat_f64_command *command)
+        const double clearance, const double sign, microsat_f64_side *side,
+        microsat_f64_command *command)
 {
     microsat_f64_status status = MICROSAT_F64_OK;
     if (!(fabs(command->force[0]) <= params->force_limit[0]
@@ -603,6 +605,7 @@ static microsat_f64_status microsat_f64_verdict(const microsat_f64_params *param
             return status;
         }
     }
+    side->sign = sign;
     return clearance < MICROSAT_F64_HYSTERESIS ? MICROSAT_F64_NEAR_CUT_LOCUS : status;
 }
 
@@ -624,7 +627,6 @@ microsat_f64_status microsat_f64_control(const microsat_f64_params *params,
         const microsat_f64_state *state, const microsat_f64_reference *reference,
         microsat_f64_side *side, microsat_f64_command *command)
 {
-    microsat_f64_status status;
     double sign;
 #ifdef MICROSAT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
     if (params == NULL || state == NULL || reference == NULL || side == NULL || command == NULL) {
@@ -672,11 +674,7 @@ microsat_f64_status microsat_f64_control(const microsat_f64_params *params,
     sign = microsat_f64_chosen(side->sign, g_e_0);
     (void)microsat_f64_law(params, state, reference, command, sign*g_e_0, sign*g_e_1, sign*g_e_2,
             sign*g_e_3);
-    status = microsat_f64_verdict(params, sign*g_e_0, command);
-    if (status < MICROSAT_F64_NOT_ON_GROUP) {
-        side->sign = sign;
-    }
-    return status;
+    return microsat_f64_verdict(params, sign*g_e_0, sign, side, command);
 }
 
 microsat_f64_status microsat_f64_check_params(const microsat_f64_params *params)
