@@ -19,7 +19,8 @@ from derive.folder import save
 
 DERIVING = (
     *("lie/*.py", "routine/*.py", "control/*.py", "emit/*.py", "verify/law/*.py"),
-    *("verify/golden.py", "verify/rung.py", "verify/branch.py", "verify/oracle/*.py"),
+    *("verify/golden.py", "verify/rung.py", "verify/branch.py", "verify/plant.py"),
+    *("verify/shape.py", "verify/oracle/*.py"),
     *("pipeline.py", "theory.py", "selftest.py"),
 )
 """The source that decides what is derived, printed and warned of, and what an entry looks like."""

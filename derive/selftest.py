@@ -67,10 +67,10 @@ def tables(
     """
     if not found:
         return {}
+    programs, identity = found["programs"], found["identity"]
+    rows = {scalar: _rows(vehicle, found, scalar, values) for scalar in printed}
     return {
-        scalar: selftest(
-            data, found["programs"][scalar], _rows(vehicle, found, scalar, values), values, scalar
-        )
+        scalar: selftest(data, programs[scalar], rows[scalar], identity, values, scalar)
         for scalar, data in printed.items()
     }
 
@@ -79,7 +79,7 @@ def _rows(
     vehicle: Vehicle, found: Mapping[str, Any], scalar: str, values: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
     """The kept rows, each with what is true of its command for this inertia and these gains."""
-    limits = Limits(values.get("force_limit", ()), values.get("saturation", "") == "direction")
+    limits = Limits(values["force_limit"], values["saturation"] == "direction")
     told = answers(
         found, scalar, vehicle.controller, vehicle.inertia, vehicle.gains, limits,
         is_own=vehicle.own is not None,

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from derive import folder, pipeline
+from derive.evidence.stamp import PAGE
 from derive.vehicle import InputError, Vehicle, load
 
 ROOT = Path(__file__).parents[1]
@@ -48,7 +49,9 @@ def ended(process: subprocess.Popen[str]) -> str:
 
 
 def committed() -> dict[str, str]:
-    return folder.read(GENERATED)
+    """All that is derived: evidence is measured."""
+    found = folder.read(GENERATED)
+    return {path: text for path, text in found.items() if Path(path).name != PAGE}
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
@@ -168,7 +171,7 @@ def test_scalars_and_targets_choose_files(kept: Path) -> None:
     shared = {"trace.csv", "MANIFEST.toml"}
     assert kinds == [
         shared | {"numpy"},
-        shared | {"c", "example", "CMakeLists.txt", "paper_so3.mk"},
+        shared | {"c", "example", "test", "CMakeLists.txt", "paper_so3.mk"},
     ]
     assert all("f64" not in path for path in single)
     code = [path for path in {**numpy, **single} if path.startswith(("c/", "numpy/"))]

@@ -7,9 +7,11 @@ bit, is computed here from its printed steps.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import cycle
 from typing import Any
 
 from derive.emit.literal import exact, nearest
@@ -23,6 +25,12 @@ WORDS = {"f32": "uint32_t", "f64": "uint64_t"}
 
 DIGITS = 130
 """Of the arithmetic that the truth was found with."""
+
+LARGEST = {"f32": (2.0 - 2.0**-23) * 2.0**127, "f64": sys.float_info.max}
+"""Of all numbers."""
+
+TRACE = {"f32": 2.0**-28, "f64": 2.0**-56}
+"""Entries of about that size are no element of a group, and next to nothing beside 1."""
 
 VALUE = {name: value for name, value, _ in STATUSES}
 
@@ -84,12 +92,13 @@ class Code:
 
 
 def selftest(
-    printed: Mapping[str, Any], program: str, rows: Sequence[Row], values: Mapping[str, Any],
-    scalar: str,
+    printed: Mapping[str, Any], program: str, rows: Sequence[Row], identity: Sequence[float],
+    values: Mapping[str, Any], scalar: str,
 ) -> dict[str, Any]:  # fmt: skip
     """What the templates of the test of one scalar read.
 
-    printed: of that scalar; program: of its routines; values: of the vehicle, as `render` has them
+    printed: of that scalar; program: of its routines; identity: of the group, as it is stored;
+    values: of the vehicle, as `render` has them
     """
     code = Code(
         printed, run(program), _params(printed, values, scalar), limit_of(values, scalar), scalar
@@ -104,6 +113,9 @@ def selftest(
         "zero_bits": code.bits(nothing),
         "digits": DIGITS,
         "diagonal": [i * n - i * (i - 1) // 2 for i in range(n)],
+        "identity": [code.text(x) for x in identity],
+        **_hollow(code),
+        "largest": exact(LARGEST[scalar], scalar),
         **_sided(values, scalar),
         "first_good": next(i for i, row in enumerate(rows) if VALUE[row["status"]] < FIRST_BAD),
     }
@@ -113,6 +125,23 @@ def _sided(values: Mapping[str, Any], scalar: str) -> dict[str, Any]:
     """The steps to and fro across half a turn, where the shorter way round is taken."""
     margin = values["hysteresis"]
     return {} if margin is None else {"steps": steps(margin, scalar), "axis": axis(scalar)}
+
+
+def _hollow(code: Code) -> dict[str, Any]:
+    """Inputs that are next to no element, and the bits of each bare routine.
+
+    No bits where it comes to a division by zero: what control refuses has no promise.
+    """
+    inputs = [one for one in code.printed["main"]["inputs"] if one["holder"] != "params"]
+    sizes = {one["name"]: TRACE[code.scalar] if one["member"] == "g" else 0.25 for one in inputs}
+    digits = cycle(range(-3, 4))
+    given = {one["name"]: [next(digits) * sizes[one["name"]] for _ in range(one["size"])]
+             for one in inputs}  # fmt: skip
+    try:
+        found = code.answers(given, [0.0] * code.printed["dim"])
+    except (ZeroDivisionError, ValueError, OverflowError):
+        found = []
+    return {"hollow": found, "hollow_inputs": written(code.printed, given, code.scalar)}
 
 
 def _params(printed: Mapping[str, Any], values: Mapping[str, Any], scalar: str) -> Given:
@@ -128,8 +157,8 @@ def _params(printed: Mapping[str, Any], values: Mapping[str, Any], scalar: str) 
 
 def limit_of(values: Mapping[str, Any], scalar: str) -> Limit:
     """The force limits of a vehicle, none of one without."""
-    force = tuple(_kept(x, scalar) for x in values.get("force_limit", ()))
-    return Limit(force, values.get("saturation", "") == "direction")
+    force = tuple(_kept(x, scalar) for x in values["force_limit"])
+    return Limit(force, values["saturation"] == "direction")
 
 
 def _kept(value: Fraction, scalar: str) -> float:

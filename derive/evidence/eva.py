@@ -33,16 +33,15 @@ FRAMA_C = Tool("frama-c", "apt-get install frama-c-base")
 SECONDS = 300.0
 """One run has to be done by then; it takes 1 to 5."""
 
-SUBDIVIDED = ("-eva-subdivide-non-linear", "4")
-"""x * x is not negative: what the boxes need."""
-
 OPTIONS = (
     *("-eva", "-eva-domains", "equality", "-eva-auto-loop-unroll", "64"),
     *("-eva-slevel", "0", "-eva-slevel-function", "eva_finite:9,eva_nan:9"),
     *("-eva-partition-history", "2", "-eva-interprocedural-history"),
+    *("-eva-subdivide-non-linear", "4"),
     *("-eva-split-return", "full", "-eva-warn-key", "builtins:override=inactive"),
 )
-"""A state is kept apart by the last two branches it took: that is what follows |x| <= limit."""
+"""A state is kept apart by the last two branches it took: that is what follows |x| <= limit; and
+x * x is taken apart into pieces, so that it is not negative."""
 
 TRUSTED = ("Frama_C_", "eva_has_")
 """Functions without a body, whose specification is taken for granted."""
@@ -125,7 +124,6 @@ def ran(emitted: Emitted, source: str, start: Start) -> Found:
         command += [
             *floats,
             *OPTIONS,
-            *(SUBDIVIDED if start is SLICED else ()),
             "-then",
             "-report-csv",
             str(folder / "found.csv"),

@@ -178,13 +178,17 @@ def _limited(
 
 
 def _sized(row: Mapping[str, Any]) -> dict[str, Vector]:
-    """What a row is given, exact, and what is known of it, on the scale of what it comes from."""
+    """What a row is given, exact, and what is known of it, on the scale of what it comes from.
+
+    Towards a pole a relative error of the error grows as what the law gives does.
+    """
     given = {name: [_exact(Decimal(x)) for x in numbers] for name, numbers in row["given"].items()}
     n = len(given["nu"])
-    scales = _scales(row)
+    scales, pole = _scales(row), 1 / row["clearance"]
     known = {
-        name: [Sized(Decimal(x), abs(float(x)) + scales[name]) for x in numbers]
+        name: [Sized(Decimal(x), (abs(float(x)) + scales[name]) * growth) for x in numbers]
         for name, numbers in row["known"].items()
+        for growth in [pole if name in ("nu_u", "nu_u_dot") else 1.0]
     }
     still = {name: [ZERO] * n for name in ("momentum", "external", "eta", "eta_dot")}
     return {"nu_e": given["nu"], **still, **given, **known}
@@ -195,10 +199,10 @@ def _scales(row: Mapping[str, Any]) -> dict[str, float]:
     length = {name: max(map(abs, numbers)) for name, numbers in row["given"].items()}
     reach = max(1.0, length["g"]) * max(1.0, length.get("g_r", 0.0))
     speed = length["nu"] + reach * length.get("nu_r", 0.0)
-    pole = 1 / row["clearance"]  # towards a pole a law grows so, and its slope as the square
+    pole = 1 / row["clearance"]
     return {
-        "nu_u": reach * pole,
-        "nu_u_dot": reach * speed * pole**2,
+        "nu_u": reach,
+        "nu_u_dot": reach * speed * pole,
         "nu_e": speed,
         "eta": speed,
         "eta_dot": reach * (length.get("nu_r_dot", 0.0) + speed**2),

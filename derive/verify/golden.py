@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 from typing import Any
 
 from derive.emit.status import FIRST_BAD, STATUSES
@@ -45,27 +46,34 @@ def is_known(vehicle: Plant) -> bool:
 
 
 def golden(vehicle: Plant, *, is_pole: bool, scalars: Sequence[str]) -> dict[str, Any]:
-    """Rows by scalar, and the bracket as [i, j, k, c]: [E_i, E_j] has c E_k in it.
+    """Rows by scalar, the identity, and the bracket as [i, j, k, c]: [E_i, E_j] has c E_k in it.
 
     vehicle: its inertia and gains are not looked at; is_pole: whether its law has a pole
     """
     return {
         "bracket": _bracket(vehicle),
+        "identity": [float(x) for x in element(vehicle, Rung("0", False), 0, is_moving=False)[1]],
         "rows": {scalar: _rows(vehicle, is_pole, scalar) for scalar in scalars},
     }
 
 
 def _bracket(vehicle: Plant) -> list[list[Any]]:
-    n = dim(vehicle.space)
-    unit = [[int(i == j) for j in range(n)] for i in range(n)]
-    return [
-        [i, j, k, _decimal(c)]
-        for i in range(n)
-        for j in range(n)
-        if i != j
-        for k, c in enumerate(bracket(vehicle.space, unit[i], unit[j]))
-        if c
-    ]
+    """Factor by factor: those of others commute, and so does all of R^n."""
+    found: list[list[Any]] = []
+    start, n = 0, dim(vehicle.space)
+    for one in factors(vehicle.space):
+        mine = range(start, start + one.dim) if one.turns or vehicle.own else ()
+        found += [entry for i, j in combinations(mine, 2) for entry in _brackets(vehicle, n, i, j)]
+        start += one.dim
+    return sorted(found)
+
+
+def _brackets(vehicle: Plant, n: int, i: int, j: int) -> Iterator[list[Any]]:
+    """The entries of [E_i, E_j] and of [E_j, E_i]."""
+    first, second = ([int(at == k) for k in range(n)] for at in (i, j))
+    for k, c in enumerate(bracket(vehicle.space, first, second)):
+        if c:
+            yield from ([i, j, k, _decimal(c)], [j, i, k, _decimal(-c)])
 
 
 def _rows(vehicle: Plant, is_pole: bool, scalar: str) -> list[Row]:
@@ -76,10 +84,16 @@ def _rows(vehicle: Plant, is_pole: bool, scalar: str) -> list[Row]:
 
 
 def _good(vehicle: Plant, rung: Rung, place: int, is_pole: bool, kind: Scalar) -> Row | None:
-    """What `control` makes of a rung; None where rounding decides between two statuses."""
+    """What `control` makes of a rung; None where rounding decides between two statuses.
+
+    None too at -i itself, where the truth knows of no rate, not even a smooth law's.
+    """
     given = _given(vehicle, rung, place, kind.name)
     seen = given if vehicle.hysteresis is None else _nearer(vehicle, given)
-    found = {} if is_pole else _truth(vehicle, seen)
+    try:
+        found = {} if is_pole else _truth(vehicle, seen)
+    except ZeroDivisionError:
+        return None
     error = turns(vehicle, found) if found else _turns(vehicle, given)
     off = clearance(vehicle, error) if vehicle.hysteresis is None else error[0].q[0]
     margins = [vehicle.hysteresis or kind.near_cut, *([kind.refused] if is_pole else [])]

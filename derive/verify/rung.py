@@ -85,6 +85,9 @@ def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
     if vehicle.own is not None:
         yield from (Rung(rest, is_moving) for rest, is_moving in OWN)
         return
+    if not any(one.turns for one in factors(vehicle.space)):
+        yield from (Rung("0", False), Rung("1", True))  # nothing turns, all rungs are alike
+        return
     yield from (Rung("0", False), Rung(TINY[scalar], False))
     if vehicle.is_attitude:
         beyond = BEYOND if vehicle.group == "S3" else ()
@@ -93,8 +96,7 @@ def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
         yield from (Rung(*one) for one in FEW)
     if vehicle.hysteresis is not None:
         yield from _at_half(scalar)
-    if any(one.turns for one in factors(vehicle.space)):
-        yield from _at_cut(vehicle, scalar)
+    yield from _at_cut(vehicle, scalar)
 
 
 def _at_half(scalar: str) -> Iterator[Rung]:

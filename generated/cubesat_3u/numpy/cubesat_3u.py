@@ -258,8 +258,8 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     size = np.abs(force)
     share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
     cut = force * share
-    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
-    usable = np.isfinite(cut.sum(-1))
+    cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
+    usable = np.isfinite(force).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status

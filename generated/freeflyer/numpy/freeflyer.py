@@ -250,7 +250,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     """The force within its limits, (..., 6), and OK, SATURATED or NONFINITE_INPUT, (...)."""
     size = np.abs(force)
     cut = force
-    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
+    cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
     usable = np.isfinite(force).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))

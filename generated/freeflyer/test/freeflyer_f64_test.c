@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0/0.0)
 #define INFINITE (1.0/0.0)
 
+#define LARGEST 1.7976931348623157e308
+#define SHARES 64 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0x75A104C5U /* of a command that is zero */
@@ -713,84 +716,84 @@ int freeflyer_f64_failures(const freeflyer_f64_case *one)
     return failures;
 }
 
+static const int diagonal[6] = {0, 6, 11, 15, 18, 20};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const freeflyer_f64_params *params)
 {
     return freeflyer_f64_check_params(params) != FREEFLYER_F64_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const freeflyer_f64_params *params, double *number, double below,
+        double least, double most)
 {
-    static const double spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*FREEFLYER_F64_MAX_PARAM,
-        -1.0, 0.0 /* these two not in the inertia */
-    };
-    static const int diagonal[6] = {0, 6, 11, 15, 18, 20};
-    freeflyer_f64_params params = freeflyer_f64_defaults;
-    int failures = freeflyer_f64_check_params(&params) != FREEFLYER_F64_OK;
+    const double spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*most, -most, below};
+    const double good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = freeflyer_f64_defaults;
-        params.inertia[i % 21] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = freeflyer_f64_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = freeflyer_f64_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = freeflyer_f64_defaults;
-        params.force_limit[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = freeflyer_f64_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) { /* no longer positive definite */
-        params = freeflyer_f64_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
-    params = freeflyer_f64_defaults;
-    params.inertia[3] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = freeflyer_f64_defaults;
-    params.inertia[9] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = freeflyer_f64_defaults;
-    params.inertia[14] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = freeflyer_f64_defaults;
-    params.inertia[16] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = freeflyer_f64_defaults;
-    params.inertia[17] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = freeflyer_f64_defaults;
-    params.inertia[19] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const freeflyer_f64_case *const one = &freeflyer_f64_cases[0];
+    static const double spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*FREEFLYER_F64_MAX_PARAM, -2.0*FREEFLYER_F64_MAX_PARAM
+    };
     freeflyer_f64_params params = freeflyer_f64_defaults;
-    freeflyer_f64_command command;
-    freeflyer_f64_status status;
-    params.inertia[0] = INFINITE;
-    status = freeflyer_f64_control(&params, &one->state, &one->reference, &command);
-    return (status != FREEFLYER_F64_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = freeflyer_f64_check_params(&params) != FREEFLYER_F64_OK;
+    int i;
+    for (i = 0; i < 105; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = freeflyer_f64_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, FREEFLYER_F64_MIN_GAIN/2.0,
+            FREEFLYER_F64_MIN_GAIN,
+            FREEFLYER_F64_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, FREEFLYER_F64_MIN_GAIN/2.0,
+            FREEFLYER_F64_MIN_GAIN,
+            FREEFLYER_F64_MAX_RATE);
+    for (i = 0; i < 6; i++) {
+        failures += range_failures(&params, &params.force_limit[i], FREEFLYER_F64_MIN_GAIN/2.0,
+                FREEFLYER_F64_MIN_GAIN, FREEFLYER_F64_MAX_PARAM);
+    }
+    failures += range_failures(&params, &params.max_drift, 0.0, FREEFLYER_F64_MOST_DRIFT/1024.0,
+            FREEFLYER_F64_MOST_DRIFT);
+    for (i = 0; i < 6; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -freeflyer_f64_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = freeflyer_f64_defaults.inertia[diagonal[i]];
+    }
+    params.inertia[3] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[3] = 0.0;
+    params.inertia[9] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[9] = 0.0;
+    params.inertia[14] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[14] = 0.0;
+    params.inertia[16] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[16] = 0.0;
+    params.inertia[17] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[17] = 0.0;
+    params.inertia[19] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[19] = 0.0;
+    return failures;
 }
 
 /* No pointer may be null; a build with FREEFLYER_CHECK_POINTERS finds those that are. */
@@ -813,10 +816,202 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    freeflyer_f64_params params;
+    freeflyer_f64_state state;
+    freeflyer_f64_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const freeflyer_f64_state state = {
+        {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0},
+        {0.0}
+    };
+    static const freeflyer_f64_reference reference = {
+        {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0},
+        {0.0},
+        {0.0}
+    };
+    one->params = freeflyer_f64_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, double size)
+{
+    one->reference.nu_dot[i] = 8.0*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, freeflyer_f64_status wanted)
+{
+    freeflyer_f64_command command;
+    const freeflyer_f64_status status = freeflyer_f64_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < FREEFLYER_F64_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, double *numbers, int count)
+{
+    static const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*FREEFLYER_F64_MAX_INPUT, -2.0*(FREEFLYER_F64_MAX_INPUT +
+                FREEFLYER_F64_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const double good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? FREEFLYER_F64_NONFINITE_INPUT :
+                    FREEFLYER_F64_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, double *g)
+{
+    static const int is_bounded[16] = {1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 16; i++) {
+        const double good = g[i];
+        g[i] = is_bounded[i] ? 2.0 : good;
+        failures += is_bounded[i] && !is_told(one, FREEFLYER_F64_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    at_rest(&one);
+    failures += !is_told(&one, FREEFLYER_F64_OK);
+    failures += number_failures(&one, one.state.g, 16);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 6);
+    failures += number_failures(&one, one.reference.g, 16);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 6);
+    failures += number_failures(&one, one.reference.nu_dot, 6);
+    for (i = 0; i < 16; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 16);
+    for (i = 0; i < 16; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 16);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 6; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0/2.0);
+        failures += !is_told(&one, FREEFLYER_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const freeflyer_f64_case hollow = {
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17},
+         {-0.25, 0.0, 0.25, 0.5, 0.75, -0.75}},
+        {{-2.7755575615628914e-17, -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17,
+          2.7755575615628914e-17, 4.163336342344337e-17, -4.163336342344337e-17,
+          -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17,
+          2.7755575615628914e-17, 4.163336342344337e-17, -4.163336342344337e-17,
+          -2.7755575615628914e-17, -1.3877787807814457e-17},
+         {0.0, 0.25, 0.5, 0.75, -0.75, -0.5},
+         {-0.25, 0.0, 0.25, 0.5, 0.75, -0.75}},
+        .bare = {0x8B054145U, 0xE543B4D2U, 0xD69001C3U}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
+static int limit_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 6; i++) {
+        at_rest(&one);
+        push(&one, i, 1.0);
+        for (j = 0; j < 6; j++) {
+            one.params.force_limit[j] = FREEFLYER_F64_MAX_PARAM;
+        }
+        one.params.force_limit[i] = FREEFLYER_F64_MIN_GAIN;
+        failures += !is_told(&one, FREEFLYER_F64_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, FREEFLYER_F64_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0;
+        failures += !is_told(&one, FREEFLYER_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Forces either way, whose share of a limit is rounded either way: none is beyond it. */
+static int share_failures(void)
+{
+    trial one;
+    freeflyer_f64_command command;
+    double limit = 31.0/16.0;
+    int failures = 0;
+    int i;
+    int j;
+    at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0;
+    }
+    for (i = 0; i < 6; i++) {
+        one.params.force_limit[i] = limit;
+    }
+    for (j = -SHARES; j <= SHARES; j++) {
+        push(&one, 0, (double)j + 1.0/2.0);
+        failures += freeflyer_f64_control(&one.params, &one.state, &one.reference, &command) !=
+                FREEFLYER_F64_SATURATED;
+        for (i = 0; i < 6; i++) {
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
+        }
+    }
+    return failures;
+}
+
 int freeflyer_f64_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
+    failures += limit_failures() + share_failures();
     for (i = 0; i < FREEFLYER_F64_CASES; i++) {
         failures += freeflyer_f64_failures(&freeflyer_f64_cases[i]);
     }

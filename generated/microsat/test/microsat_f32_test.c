@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0F/0.0F)
 #define INFINITE (1.0F/0.0F)
 
+#define LARGEST 3.4028235e38F
+#define SHARES 64 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0xC655FF85U /* of a command that is zero */
@@ -878,67 +881,66 @@ int microsat_f32_failures(const microsat_f32_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const microsat_f32_params *params)
 {
     return microsat_f32_check_params(params) != MICROSAT_F32_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const microsat_f32_params *params, float *number, float below,
+        float least, float most)
 {
-    static const float spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*MICROSAT_F32_MAX_PARAM,
-        -1.0F, 0.0F /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    microsat_f32_params params = microsat_f32_defaults;
-    int failures = microsat_f32_check_params(&params) != MICROSAT_F32_OK;
+    const float spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*most, -most, below};
+    const float good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = microsat_f32_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = microsat_f32_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = microsat_f32_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = microsat_f32_defaults;
-        params.force_limit[i % 3] = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = microsat_f32_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = microsat_f32_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const microsat_f32_case *const one = &microsat_f32_cases[0];
+    static const float spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*MICROSAT_F32_MAX_PARAM, -2.0F*MICROSAT_F32_MAX_PARAM
+    };
     microsat_f32_params params = microsat_f32_defaults;
-    microsat_f32_side side = {0.0F};
-    microsat_f32_command command;
-    microsat_f32_status status;
-    params.inertia[0] = INFINITE;
-    status = microsat_f32_control(&params, &one->state, &one->reference, &side, &command);
-    return (status != MICROSAT_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = microsat_f32_check_params(&params) != MICROSAT_F32_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = microsat_f32_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, MICROSAT_F32_MIN_GAIN/2.0F,
+            MICROSAT_F32_MIN_GAIN,
+            MICROSAT_F32_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, MICROSAT_F32_MIN_GAIN/2.0F,
+            MICROSAT_F32_MIN_GAIN,
+            MICROSAT_F32_MAX_RATE);
+    for (i = 0; i < 3; i++) {
+        failures += range_failures(&params, &params.force_limit[i], MICROSAT_F32_MIN_GAIN/2.0F,
+                MICROSAT_F32_MIN_GAIN, MICROSAT_F32_MAX_PARAM);
+    }
+    failures += range_failures(&params, &params.max_drift, 0.0F, MICROSAT_F32_MOST_DRIFT/1024.0F,
+            MICROSAT_F32_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -microsat_f32_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = microsat_f32_defaults.inertia[diagonal[i]];
+    }
+    return failures;
 }
 
 /* No pointer may be null; a build with MICROSAT_CHECK_POINTERS finds those that are. */
@@ -961,6 +963,180 @@ static int pointer_failures(void)
     failures += microsat_f32_control(&microsat_f32_defaults, &one->state, &one->reference, &side,
             NULL) != MICROSAT_F32_BAD_PARAMS;
 #endif
+    return failures;
+}
+
+/* All that control reads. */
+typedef struct {
+    microsat_f32_params params;
+    microsat_f32_state state;
+    microsat_f32_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const microsat_f32_state state = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F}
+    };
+    static const microsat_f32_reference reference = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F},
+        {0.0F}
+    };
+    one->params = microsat_f32_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, float size)
+{
+    one->reference.nu_dot[i] = 8.0F*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, microsat_f32_status wanted)
+{
+    microsat_f32_side side = {0.0F};
+    microsat_f32_command command;
+    const microsat_f32_status status = microsat_f32_control(&one->params, &one->state,
+            &one->reference, &side, &command);
+    return status == wanted && (status < MICROSAT_F32_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, float *numbers, int count)
+{
+    static const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*MICROSAT_F32_MAX_INPUT, -2.0F*(MICROSAT_F32_MAX_INPUT)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const float good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? MICROSAT_F32_NONFINITE_INPUT :
+                    MICROSAT_F32_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, float *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const float good = g[i];
+        g[i] = is_bounded[i] ? 2.0F : good;
+        failures += is_bounded[i] && !is_told(one, MICROSAT_F32_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, MICROSAT_F32_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0F/2.0F);
+        failures += !is_told(&one, MICROSAT_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const microsat_f32_case hollow = {
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F},
+         {-0.75F, -0.5F, -0.25F}},
+        .bare = {0xDBD5F22CU, 0x86D1C0BCU, 0x2B8BFC59U}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
+static int limit_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        push(&one, i, 1.0F);
+        for (j = 0; j < 3; j++) {
+            one.params.force_limit[j] = MICROSAT_F32_MAX_PARAM;
+        }
+        one.params.force_limit[i] = MICROSAT_F32_MIN_GAIN;
+        failures += !is_told(&one, MICROSAT_F32_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, MICROSAT_F32_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0F;
+        failures += !is_told(&one, MICROSAT_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Forces either way, whose share of a limit is rounded either way: none is beyond it. */
+static int share_failures(void)
+{
+    trial one;
+    microsat_f32_side side = {0.0F};
+    microsat_f32_command command;
+    float limit = 31.0F/16.0F;
+    int failures = 0;
+    int i;
+    int j;
+    at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0F;
+    }
+    for (i = 0; i < 3; i++) {
+        one.params.force_limit[i] = limit;
+    }
+    for (j = -SHARES; j <= SHARES; j++) {
+        push(&one, 0, (float)j + 1.0F/2.0F);
+        failures += microsat_f32_control(&one.params, &one.state, &one.reference, &side, &command)
+                != MICROSAT_F32_SATURATED;
+        for (i = 0; i < 3; i++) {
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
+        }
+    }
     return failures;
 }
 
@@ -1070,8 +1246,11 @@ static int side_failures(void)
 
 int microsat_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures() + side_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures() +
+            side_failures();
     int i;
+    failures += hollow_failures();
+    failures += limit_failures() + share_failures();
     for (i = 0; i < MICROSAT_F32_CASES; i++) {
         failures += microsat_f32_failures(&microsat_f32_cases[i]);
     }

@@ -9,6 +9,8 @@
 #define NOT_A_NUMBER (0.0F/0.0F)
 #define INFINITE (1.0F/0.0F)
 
+#define LARGEST 3.4028235e38F
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0xC655FF85U /* of a command that is zero */
@@ -233,7 +235,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-0.5490238F, 0.21960953F, -1.6470715F},
          {1.15384428F, -0.0054059084F, 1.8396644F}},
         PAPER_S3_F32_OK, 0x1B7D014FU,
-        {0.00335F, 8.83e-5F, 2.66e-5F, 5.33e-5F}, {0x1B7D014FU, 0x47216348U, 0xCA4D4105U}
+        {0.00335F, 8.85e-5F, 2.69e-5F, 5.36e-5F}, {0x1B7D014FU, 0x47216348U, 0xCA4D4105U}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958F, -0.54885685F, 0.6657934F, -0.315613F},
@@ -246,7 +248,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-0.7033144F, 1.3238861F, -1.323886F},
          {1.1519966F, -1.3086711F, -0.37574745F}},
         PAPER_S3_F32_OK, 0x12F5C381U,
-        {0.00259F, 6.15e-5F, 2.42e-5F, 4.86e-5F}, {0x12F5C381U, 0xD7342642U, 0x18179175U}
+        {0.00261F, 6.22e-5F, 2.56e-5F, 4.99e-5F}, {0x12F5C381U, 0xD7342642U, 0x18179175U}
     },
     { /* error 5 rad, moving reference */
         {{-0.9178705F, -0.17713697F, 0.043684136F, 0.35245976F},
@@ -259,7 +261,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-1.3074409F, -1.1440108F, 1.7977312F},
          {-4.636737F, 6.4106206F, 0.6050409F}},
         PAPER_S3_F32_OK, 0xC3F71B25U,
-        {0.00308F, 7.7e-5F, 3.47e-5F, 0.000146F}, {0xC3F71B25U, 0x05EB7249U, 0x4987AB25U}
+        {0.00324F, 8.14e-5F, 4.67e-5F, 0.000189F}, {0xC3F71B25U, 0x05EB7249U, 0x4987AB25U}
     },
     { /* error 6 rad, moving reference */
         {{-0.89542323F, -0.43475807F, 0.06112049F, 0.07393868F},
@@ -272,7 +274,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-1.5969899F, 1.3840583F, 2.12932054F},
          {-17.909544F, 14.513272F, -22.8204675F}},
         PAPER_S3_F32_OK, 0x091B9A17U,
-        {0.012F, 0.000101F, 9.22e-5F, 0.00189F}, {0x091B9A17U, 0xE8EF3DFDU, 0xC7177FE6U}
+        {0.0195F, 0.000166F, 0.000222F, 0.00328F}, {0x091B9A17U, 0xE8EF3DFDU, 0xC7177FE6U}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F},
@@ -324,7 +326,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.3637476F, 1.4351325F, 0.084419558F},
          {-1.4221307F, 1.6769171F, -0.9379327F}},
         PAPER_S3_F32_OK, 0xA04480F9U,
-        {0.00458F, 6.63e-5F, 5.09e-5F, 0.000287F}, {0xA04480F9U, 0xD034F57DU, 0x482F4420U}
+        {0.00501F, 8.53e-5F, 9.18e-5F, 0.000316F}, {0xA04480F9U, 0xD034F57DU, 0x482F4420U}
     },
     { /* error 1e-2 rad before the cut, moving reference */
         {{-0.9317752F, 0.25675842F, 0.25111696F, -0.053013064F},
@@ -337,7 +339,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-2.9465714F, -0.34000356F, -1.0199647F},
          {-136.88323F, -177.96166F, 458.3479F}},
         PAPER_S3_F32_OK, 0x2B9E49D9U,
-        {6.25F, 0.00107F, 0.00203F, 1.3F}, {0x2B9E49D9U, 0x661B1379U, 0xD4224255U}
+        {10.6F, 0.00401F, 0.00789F, 2.22F}, {0x2B9E49D9U, 0x661B1379U, 0xD4224255U}
     },
     { /* error 1e-3 rad before the cut, moving reference */
         {{-0.9303609F, -0.36215538F, 0.04049867F, -0.040396776F},
@@ -350,7 +352,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {-2.1939816F, 1.4042296F, -1.7552912F},
          {-4551.3124F, 3351.0083F, 8370.463F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x1F7ED619U,
-        {752.0F, 0.0101F, 0.02F, 158.0F}, {0x1F7ED619U, 0xB28968BEU, 0x375C8E49U}
+        {1.54e3F, 0.032F, 0.0639F, 325.0F}, {0x1F7ED619U, 0xB28968BEU, 0x375C8E49U}
     },
     { /* error 1e-3 rad beyond the cut, moving reference */
         {{-0.930657F, -0.3126028F, -0.18983853F, -0.01087867F},
@@ -363,7 +365,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {1.9173297F, 1.6776256F, 1.8373574F},
          {-1895.5851F, 2387.862F, -201.362157F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x78B715D0U,
-        {764.0F, 0.0101F, 0.02F, 1.6e2F}, {0x78B715D0U, 0xE9B48074U, 0x1EE44E51U}
+        {914.0F, 0.0292F, 0.0583F, 208.0F}, {0x78B715D0U, 0xE9B48074U, 0x1EE44E51U}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775F, 0.26350504F, 0.25352886F, -0.04662418F},
@@ -376,7 +378,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {2.4384876F, 0.15731863F, 1.9665306F},
          {312.04803F, 858.6318F, -453.8993F}},
         PAPER_S3_F32_OK, 0xF83A3F35U,
-        {6.36F, 0.00107F, 0.00202F, 1.33F}, {0xF83A3F35U, 0xDBA1DF72U, 0x19D67DD6U}
+        {13.4F, 0.00348F, 0.00688F, 3.04F}, {0xF83A3F35U, 0xDBA1DF72U, 0x19D67DD6U}
     },
     { /* error 1e-5 rad before the cut, moving reference */
         {{-0.9305065F, -0.36183575F, 0.040204905F, -0.040200055F},
@@ -415,7 +417,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {3.14109265F, 0.0F, 0.0F},
          {0.25F, 1766.37373F, -982.47484F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0xC77011B3U,
-        {108.0F, 0.01F, 0.02F, 22.5F}, {0xC77011B3U, 0x1DF8233AU, 0xCB4DB883U}
+        {253.0F, 0.0414F, 0.0828F, 57.8F}, {0xC77011B3U, 0x1DF8233AU, 0xCB4DB883U}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999999F, 0.0F, -0.00049999997F, 0.0F},
@@ -428,7 +430,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.0F, -3.14109265F, 0.0F},
          {-1767.159F, 0.59375F, -588.0714F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x39CA9F51U,
-        {227.0F, 0.01F, 0.02F, 47.5F}, {0x39CA9F51U, 0x2947229AU, 0xB7B7D9BEU}
+        {285.0F, 0.0414F, 0.0828F, 82.8F}, {0x39CA9F51U, 0x2947229AU, 0xB7B7D9BEU}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.0F, 0.0F, 0.00049999997F},
@@ -441,7 +443,7 @@ const paper_s3_f32_case paper_s3_f32_cases[PAPER_S3_F32_CASES] = {
          {0.0F, 0.0F, 3.14109265F},
          {-1960.5325F, 5301.575F, -0.25F}},
         PAPER_S3_F32_NEAR_CUT_LOCUS, 0x90259616U,
-        {322.0F, 0.01F, 0.02F, 67.6F}, {0x90259616U, 0x90259616U, 0x07F56196U}
+        {759.0F, 0.0414F, 0.0828F, 174.0F}, {0x90259616U, 0x90259616U, 0x07F56196U}
     },
     { /* error 1 rad, moving reference */
         {{0.9265358F, 0.043290246F, -0.03143325F, 0.3723834F},
@@ -760,61 +762,62 @@ int paper_s3_f32_failures(const paper_s3_f32_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const paper_s3_f32_params *params)
 {
     return paper_s3_f32_check_params(params) != PAPER_S3_F32_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const paper_s3_f32_params *params, float *number, float below,
+        float least, float most)
 {
-    static const float spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*PAPER_S3_F32_MAX_PARAM,
-        -1.0F, 0.0F /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    paper_s3_f32_params params = paper_s3_f32_defaults;
-    int failures = paper_s3_f32_check_params(&params) != PAPER_S3_F32_OK;
+    const float spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*most, -most, below};
+    const float good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = paper_s3_f32_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = paper_s3_f32_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = paper_s3_f32_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = paper_s3_f32_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = paper_s3_f32_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const paper_s3_f32_case *const one = &paper_s3_f32_cases[0];
+    static const float spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*PAPER_S3_F32_MAX_PARAM, -2.0F*PAPER_S3_F32_MAX_PARAM
+    };
     paper_s3_f32_params params = paper_s3_f32_defaults;
-    paper_s3_f32_command command;
-    paper_s3_f32_status status;
-    params.inertia[0] = INFINITE;
-    status = paper_s3_f32_control(&params, &one->state, &one->reference, &command);
-    return (status != PAPER_S3_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = paper_s3_f32_check_params(&params) != PAPER_S3_F32_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = paper_s3_f32_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, PAPER_S3_F32_MIN_GAIN/2.0F,
+            PAPER_S3_F32_MIN_GAIN,
+            PAPER_S3_F32_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, PAPER_S3_F32_MIN_GAIN/2.0F,
+            PAPER_S3_F32_MIN_GAIN,
+            PAPER_S3_F32_MAX_RATE);
+    failures += range_failures(&params, &params.max_drift, 0.0F, PAPER_S3_F32_MOST_DRIFT/1024.0F,
+            PAPER_S3_F32_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -paper_s3_f32_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = paper_s3_f32_defaults.inertia[diagonal[i]];
+    }
+    return failures;
 }
 
 /* No pointer may be null; a build with PAPER_S3_CHECK_POINTERS finds those that are. */
@@ -837,10 +840,134 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    paper_s3_f32_params params;
+    paper_s3_f32_state state;
+    paper_s3_f32_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const paper_s3_f32_state state = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F}
+    };
+    static const paper_s3_f32_reference reference = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F},
+        {0.0F}
+    };
+    one->params = paper_s3_f32_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, float size)
+{
+    one->reference.nu_dot[i] = 8.0F*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, paper_s3_f32_status wanted)
+{
+    paper_s3_f32_command command;
+    const paper_s3_f32_status status = paper_s3_f32_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < PAPER_S3_F32_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, float *numbers, int count)
+{
+    static const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_S3_F32_MAX_INPUT, -2.0F*(PAPER_S3_F32_MAX_INPUT +
+                PAPER_S3_F32_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const float good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? PAPER_S3_F32_NONFINITE_INPUT :
+                    PAPER_S3_F32_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, float *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const float good = g[i];
+        g[i] = is_bounded[i] ? 2.0F : good;
+        failures += is_bounded[i] && !is_told(one, PAPER_S3_F32_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, PAPER_S3_F32_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0F/2.0F);
+        failures += !is_told(&one, PAPER_S3_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const paper_s3_f32_case hollow = {
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F},
+         {-0.75F, -0.5F, -0.25F}},
+        .bare = {0x654B5DB6U, 0xCC57A254U, 0x78AC28FDU}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
 int paper_s3_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
     for (i = 0; i < PAPER_S3_F32_CASES; i++) {
         failures += paper_s3_f32_failures(&paper_s3_f32_cases[i]);
     }

@@ -11,6 +11,8 @@
 #define NOT_A_NUMBER (0.0F/0.0F)
 #define INFINITE (1.0F/0.0F)
 
+#define LARGEST 3.4028235e38F
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0x17E22395U /* of a command that is zero */
@@ -770,61 +772,65 @@ int paper_so3_lsf_printed_f32_failures(const paper_so3_lsf_printed_f32_case *one
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const paper_so3_lsf_printed_f32_params *params)
 {
     return paper_so3_lsf_printed_f32_check_params(params) != PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const paper_so3_lsf_printed_f32_params *params, float *number, float
+        below,
+        float least, float most)
 {
-    static const float spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM,
-        -1.0F, 0.0F /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    paper_so3_lsf_printed_f32_params params = paper_so3_lsf_printed_f32_defaults;
-    int failures = paper_so3_lsf_printed_f32_check_params(&params) != PAPER_SO3_LSF_PRINTED_F32_OK;
+    const float spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*most, -most, below};
+    const float good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = paper_so3_lsf_printed_f32_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = paper_so3_lsf_printed_f32_defaults;
-        params.k = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = paper_so3_lsf_printed_f32_defaults;
-        params.kappa = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = paper_so3_lsf_printed_f32_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = paper_so3_lsf_printed_f32_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const paper_so3_lsf_printed_f32_case *const one = &paper_so3_lsf_printed_f32_cases[0];
+    static const float spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM,
+                -2.0F*PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM
+    };
     paper_so3_lsf_printed_f32_params params = paper_so3_lsf_printed_f32_defaults;
-    paper_so3_lsf_printed_f32_command command;
-    paper_so3_lsf_printed_f32_status status;
-    params.inertia[0] = INFINITE;
-    status = paper_so3_lsf_printed_f32_control(&params, &one->state, &one->reference, &command);
-    return (status != PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = paper_so3_lsf_printed_f32_check_params(&params) != PAPER_SO3_LSF_PRINTED_F32_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = paper_so3_lsf_printed_f32_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.k, PAPER_SO3_LSF_PRINTED_F32_MIN_GAIN/2.0F,
+            PAPER_SO3_LSF_PRINTED_F32_MIN_GAIN,
+            PAPER_SO3_LSF_PRINTED_F32_MAX_RATE);
+    failures += range_failures(&params, &params.kappa, PAPER_SO3_LSF_PRINTED_F32_MIN_GAIN/2.0F,
+            PAPER_SO3_LSF_PRINTED_F32_MIN_GAIN,
+            PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM);
+    failures += range_failures(&params, &params.max_drift, 0.0F,
+            PAPER_SO3_LSF_PRINTED_F32_MOST_DRIFT/1024.0F,
+            PAPER_SO3_LSF_PRINTED_F32_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -paper_so3_lsf_printed_f32_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = paper_so3_lsf_printed_f32_defaults.inertia[diagonal[i]];
+    }
+    return failures;
 }
 
 /* No pointer may be null; a build with PAPER_SO3_LSF_PRINTED_CHECK_POINTERS finds those that are.
@@ -848,10 +854,136 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    paper_so3_lsf_printed_f32_params params;
+    paper_so3_lsf_printed_f32_state state;
+    paper_so3_lsf_printed_f32_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const paper_so3_lsf_printed_f32_state state = {
+        {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F},
+        {0.0F}
+    };
+    static const paper_so3_lsf_printed_f32_reference reference = {
+        {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F},
+        {0.0F},
+        {0.0F}
+    };
+    one->params = paper_so3_lsf_printed_f32_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, float size)
+{
+    one->reference.nu_dot[i] = 8.0F*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, paper_so3_lsf_printed_f32_status wanted)
+{
+    paper_so3_lsf_printed_f32_command command;
+    const paper_so3_lsf_printed_f32_status status = paper_so3_lsf_printed_f32_control(&one->params,
+            &one->state, &one->reference, &command);
+    return status == wanted && (status < PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP || bits_of(&command)
+            == ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, float *numbers, int count)
+{
+    static const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT,
+                -2.0F*(PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT + PAPER_SO3_LSF_PRINTED_F32_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const float good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT :
+                    PAPER_SO3_LSF_PRINTED_F32_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, float *g)
+{
+    static const int is_bounded[9] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 9; i++) {
+        const float good = g[i];
+        g[i] = is_bounded[i] ? 2.0F : good;
+        failures += is_bounded[i] && !is_told(one, PAPER_SO3_LSF_PRINTED_F32_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, PAPER_SO3_LSF_PRINTED_F32_OK);
+    failures += number_failures(&one, one.state.g, 9);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 9);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0F/2.0F);
+        failures += !is_told(&one, PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const paper_so3_lsf_printed_f32_case hollow = {
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F, 3.7252903e-9F, 7.450581e-9F,
+          1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F},
+         {-0.25F, 0.0F, 0.25F}},
+        {{7.450581e-9F, 1.1175871e-8F, -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F,
+          3.7252903e-9F, 7.450581e-9F, 1.1175871e-8F},
+         {-0.75F, -0.5F, -0.25F},
+         {0.0F, 0.25F, 0.5F}},
+        .bare = {0xD321EC67U, 0x5E32658CU}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
 int paper_so3_lsf_printed_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
     for (i = 0; i < PAPER_SO3_LSF_PRINTED_F32_CASES; i++) {
         failures += paper_so3_lsf_printed_f32_failures(&paper_so3_lsf_printed_f32_cases[i]);
     }

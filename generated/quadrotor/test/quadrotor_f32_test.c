@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0F/0.0F)
 #define INFINITE (1.0F/0.0F)
 
+#define LARGEST 3.4028235e38F
+#define SHARES 64 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0xC655FF85U /* of a command that is zero */
@@ -233,7 +236,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {-1.09804765F, 0.43921907F, -3.294143F},
          {2.30768856F, -0.010811817F, 3.679329F}},
         QUADROTOR_F32_SATURATED, 0x91B45961U,
-        {6.17e-5F, 0.000334F, 4.31e-5F, 7.17e-5F}, {0xAAD5C32CU, 0x94236762U, 0xE3A6E3DCU}
+        {6.22e-5F, 0.000337F, 4.36e-5F, 7.22e-5F}, {0xAAD5C32CU, 0x94236762U, 0xE3A6E3DCU}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958F, -0.54885685F, 0.6657934F, -0.315613F},
@@ -246,7 +249,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {-1.4066288F, 2.6477722F, -2.647772F},
          {2.3039932F, -2.6173422F, -0.7514949F}},
         QUADROTOR_F32_SATURATED, 0xB4392635U,
-        {5.31e-5F, 0.000274F, 3.75e-5F, 6.17e-5F}, {0x0D248A88U, 0xB9EB08A1U, 0x986BB5A6U}
+        {5.59e-5F, 0.00029F, 4.01e-5F, 6.43e-5F}, {0x0D248A88U, 0xB9EB08A1U, 0x986BB5A6U}
     },
     { /* error 5 rad, moving reference */
         {{-0.9178705F, -0.17713697F, 0.043684136F, 0.35245976F},
@@ -259,7 +262,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {-2.6148818F, -2.2880216F, 3.5954624F},
          {-9.273474F, 12.821241F, 1.2100818F}},
         QUADROTOR_F32_SATURATED, 0xC9BECD04U,
-        {7.28e-5F, 0.000357F, 5.27e-5F, 0.00021F}, {0x10A06B75U, 0x840FDF15U, 0xE6CB55CBU}
+        {9.84e-5F, 0.000502F, 7.68e-5F, 0.000296F}, {0x10A06B75U, 0x840FDF15U, 0xE6CB55CBU}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F},
@@ -311,7 +314,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {4.727495F, 2.870265F, 0.168839117F},
          {-2.8442613F, 3.35383427F, -1.8758654F}},
         QUADROTOR_F32_SATURATED, 0xD599F69BU,
-        {7.2e-5F, 0.000487F, 7.46e-5F, 0.000304F}, {0x44709042U, 0xEA025EE2U, 0xF9BD5F71U}
+        {0.000117F, 0.000978F, 0.000156F, 0.000362F}, {0x44709042U, 0xEA025EE2U, 0xF9BD5F71U}
     },
     { /* error 1e-2 rad before the cut, moving reference */
         {{-0.9317752F, 0.25675842F, 0.25111696F, -0.053013064F},
@@ -324,7 +327,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {-5.8931428F, -0.6800071F, -2.0399294F},
          {-273.76646F, -355.9233F, 916.6958F}},
         QUADROTOR_F32_SATURATED, 0x05A133F3U,
-        {0.122F, 0.0124F, 0.00206F, 1.31F}, {0x67129FB8U, 0x30E1E55EU, 0x5D89AED2U}
+        {0.294F, 0.0828F, 0.0138F, 3.13F}, {0x67129FB8U, 0x30E1E55EU, 0x5D89AED2U}
     },
     { /* error 1e-3 rad before the cut, moving reference */
         {{-0.9303609F, -0.36215538F, 0.04049867F, -0.040396776F},
@@ -337,7 +340,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {-4.3879632F, 2.8084592F, -3.5105824F},
          {-9102.625F, 6702.0167F, 16740.926F}},
         QUADROTOR_F32_NEAR_CUT_LOCUS, 0x1B4A32A1U,
-        {14.5F, 0.12F, 0.02F, 158.0F}, {0xB0696733U, 0x4A568F0DU, 0x17A9AA7BU}
+        {45.2F, 0.647F, 0.108F, 492.0F}, {0xB0696733U, 0x4A568F0DU, 0x17A9AA7BU}
     },
     { /* error 1e-3 rad beyond the cut, moving reference */
         {{-0.930657F, -0.3126028F, -0.18983853F, -0.01087867F},
@@ -350,7 +353,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {3.8346594F, 3.3552512F, 3.6747147F},
          {-3791.1702F, 4775.724F, -402.7243F}},
         QUADROTOR_F32_NEAR_CUT_LOCUS, 0x8ED41FEEU,
-        {14.7F, 0.12F, 0.02F, 1.6e2F}, {0xFE1A3242U, 0x7F7428CEU, 0x3355291CU}
+        {15.6F, 0.58F, 0.0967F, 256.0F}, {0xFE1A3242U, 0x7F7428CEU, 0x3355291CU}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775F, 0.26350504F, 0.25352886F, -0.04662418F},
@@ -363,7 +366,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {4.876975F, 0.31463727F, 3.9330611F},
          {624.09606F, 1717.2636F, -907.7986F}},
         QUADROTOR_F32_SATURATED, 0x0078BEE9U,
-        {0.125F, 0.0123F, 0.00205F, 1.34F}, {0x60BD663BU, 0xEEE576BBU, 0x725C813AU}
+        {0.298F, 0.0706F, 0.0118F, 4.76F}, {0x60BD663BU, 0xEEE576BBU, 0x725C813AU}
     },
     { /* error 1e-5 rad before the cut, moving reference */
         {{-0.9305065F, -0.36183575F, 0.040204905F, -0.040200055F},
@@ -402,7 +405,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {6.282185F, 0.0F, 0.0F},
          {0.5F, 3532.7475F, -1964.9497F}},
         QUADROTOR_F32_NEAR_CUT_LOCUS, 0xFC63FF49U,
-        {2.09F, 0.12F, 0.0201F, 22.5F}, {0x8C915428U, 0x8C915428U, 0xBE8E551CU}
+        {5.68F, 0.874F, 0.146F, 93.2F}, {0x8C915428U, 0x8C915428U, 0xBE8E551CU}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999999F, 0.0F, -0.00049999997F, 0.0F},
@@ -415,7 +418,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {0.0F, -6.282185F, 0.0F},
          {-3534.318F, 1.1875F, -1176.1428F}},
         QUADROTOR_F32_NEAR_CUT_LOCUS, 0x4E02829DU,
-        {4.39F, 0.12F, 0.0201F, 47.5F}, {0xE5E87D6EU, 0xE5E87D6EU, 0x354442E9U}
+        {6.59F, 0.874F, 0.146F, 118.0F}, {0xE5E87D6EU, 0xE5E87D6EU, 0x354442E9U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999999F, 0.0F, 0.0F, 0.00049999997F},
@@ -428,7 +431,7 @@ const quadrotor_f32_case quadrotor_f32_cases[QUADROTOR_F32_CASES] = {
          {0.0F, 0.0F, 6.282185F},
          {-3921.065F, 10603.15F, -0.5F}},
         QUADROTOR_F32_NEAR_CUT_LOCUS, 0x2C7DE38EU,
-        {6.23F, 0.12F, 0.0201F, 67.6F}, {0x7250502CU, 0x7250502CU, 0x2FA2D838U}
+        {14.8F, 0.874F, 0.146F, 2.8e2F}, {0x7250502CU, 0x7250502CU, 0x2FA2D838U}
     },
     { /* error 1 rad, moving reference */
         {{0.9265358F, 0.043290246F, -0.03143325F, 0.3723834F},
@@ -747,72 +750,73 @@ int quadrotor_f32_failures(const quadrotor_f32_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const quadrotor_f32_params *params)
 {
     return quadrotor_f32_check_params(params) != QUADROTOR_F32_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const quadrotor_f32_params *params, float *number, float below,
+        float least, float most)
 {
-    static const float spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*QUADROTOR_F32_MAX_PARAM,
-        -1.0F, 0.0F /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    quadrotor_f32_params params = quadrotor_f32_defaults;
-    int failures = quadrotor_f32_check_params(&params) != QUADROTOR_F32_OK;
+    const float spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*most, -most, below};
+    const float good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = quadrotor_f32_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = quadrotor_f32_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f32_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f32_defaults;
-        params.force_limit[i % 3] = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f32_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = quadrotor_f32_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
-    params = quadrotor_f32_defaults;
-    params.inertia[1] = params.inertia[0]/1024.0F; /* taken for zero */
-    failures += is_taken(&params);
-    params = quadrotor_f32_defaults;
-    params.inertia[4] = params.inertia[0]/1024.0F; /* taken for zero */
-    failures += is_taken(&params);
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const quadrotor_f32_case *const one = &quadrotor_f32_cases[0];
+    static const float spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0F*QUADROTOR_F32_MAX_PARAM,
+                -2.0F*QUADROTOR_F32_MAX_PARAM
+    };
     quadrotor_f32_params params = quadrotor_f32_defaults;
-    quadrotor_f32_command command;
-    quadrotor_f32_status status;
-    params.inertia[0] = INFINITE;
-    status = quadrotor_f32_control(&params, &one->state, &one->reference, &command);
-    return (status != QUADROTOR_F32_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = quadrotor_f32_check_params(&params) != QUADROTOR_F32_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = quadrotor_f32_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, QUADROTOR_F32_MIN_GAIN/2.0F,
+            QUADROTOR_F32_MIN_GAIN,
+            QUADROTOR_F32_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, QUADROTOR_F32_MIN_GAIN/2.0F,
+            QUADROTOR_F32_MIN_GAIN,
+            QUADROTOR_F32_MAX_RATE);
+    for (i = 0; i < 3; i++) {
+        failures += range_failures(&params, &params.force_limit[i], QUADROTOR_F32_MIN_GAIN/2.0F,
+                QUADROTOR_F32_MIN_GAIN, QUADROTOR_F32_MAX_PARAM);
+    }
+    failures += range_failures(&params, &params.max_drift, 0.0F, QUADROTOR_F32_MOST_DRIFT/1024.0F,
+            QUADROTOR_F32_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -quadrotor_f32_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = quadrotor_f32_defaults.inertia[diagonal[i]];
+    }
+    params.inertia[1] = params.inertia[0]/1024.0F; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[1] = 0.0F;
+    params.inertia[4] = params.inertia[0]/1024.0F; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[4] = 0.0F;
+    return failures;
 }
 
 /* No pointer may be null; a build with QUADROTOR_CHECK_POINTERS finds those that are. */
@@ -835,10 +839,185 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    quadrotor_f32_params params;
+    quadrotor_f32_state state;
+    quadrotor_f32_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const quadrotor_f32_state state = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F}
+    };
+    static const quadrotor_f32_reference reference = {
+        {1.0F, 0.0F, 0.0F, 0.0F},
+        {0.0F},
+        {0.0F}
+    };
+    one->params = quadrotor_f32_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, float size)
+{
+    one->reference.nu_dot[i] = 8.0F*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, quadrotor_f32_status wanted)
+{
+    quadrotor_f32_command command;
+    const quadrotor_f32_status status = quadrotor_f32_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < QUADROTOR_F32_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, float *numbers, int count)
+{
+    static const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*QUADROTOR_F32_MAX_INPUT, -2.0F*(QUADROTOR_F32_MAX_INPUT +
+                QUADROTOR_F32_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const float good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? QUADROTOR_F32_NONFINITE_INPUT :
+                    QUADROTOR_F32_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, float *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const float good = g[i];
+        g[i] = is_bounded[i] ? 2.0F : good;
+        failures += is_bounded[i] && !is_told(one, QUADROTOR_F32_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, QUADROTOR_F32_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0F/2.0F);
+        failures += !is_told(&one, QUADROTOR_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const quadrotor_f32_case hollow = {
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F}},
+        {{-1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F, 0.0F},
+         {0.25F, 0.5F, 0.75F},
+         {-0.75F, -0.5F, -0.25F}},
+        .bare = {0xE0645950U, 0xBC6677E5U, 0x2690267BU}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
+static int limit_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        push(&one, i, 1.0F);
+        for (j = 0; j < 3; j++) {
+            one.params.force_limit[j] = QUADROTOR_F32_MAX_PARAM;
+        }
+        one.params.force_limit[i] = QUADROTOR_F32_MIN_GAIN;
+        failures += !is_told(&one, QUADROTOR_F32_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, QUADROTOR_F32_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0F;
+        failures += !is_told(&one, QUADROTOR_F32_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Forces either way, whose share of a limit is rounded either way: none is beyond it. */
+static int share_failures(void)
+{
+    trial one;
+    quadrotor_f32_command command;
+    float limit = 31.0F/16.0F;
+    int failures = 0;
+    int i;
+    int j;
+    at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0F;
+    }
+    for (i = 0; i < 3; i++) {
+        one.params.force_limit[i] = limit;
+    }
+    for (j = -SHARES; j <= SHARES; j++) {
+        push(&one, 0, (float)j + 1.0F/2.0F);
+        failures += quadrotor_f32_control(&one.params, &one.state, &one.reference, &command) !=
+                QUADROTOR_F32_SATURATED;
+        for (i = 0; i < 3; i++) {
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
+        }
+    }
+    return failures;
+}
+
 int quadrotor_f32_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
+    failures += limit_failures() + share_failures();
     for (i = 0; i < QUADROTOR_F32_CASES; i++) {
         failures += quadrotor_f32_failures(&quadrotor_f32_cases[i]);
     }

@@ -9,6 +9,9 @@
 #define NOT_A_NUMBER (0.0/0.0)
 #define INFINITE (1.0/0.0)
 
+#define LARGEST 1.7976931348623157e308
+#define SHARES 64 /* forces tried either way against one limit */
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0x3AD73145U /* of a command that is zero */
@@ -233,7 +236,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {-1.0980476589917774, 0.43921906359671087, -3.2941429769753325},
          {2.307688606894535, -0.01081183625174459, 3.679328886201589}},
         QUADROTOR_F64_SATURATED, 0x3BC0158BU,
-        {1.23e-13, 6.67e-13, 8.62e-14, 1.43e-13}, {0x89EC0941U, 0x700556BEU, 0xCB013912U}
+        {1.24e-13, 6.74e-13, 8.73e-14, 1.44e-13}, {0x89EC0941U, 0x700556BEU, 0xCB013912U}
     },
     { /* error 4 rad, moving reference */
         {{-0.3947958065498625, -0.5488568628516267, 0.6657933929331686, -0.3156130117055591},
@@ -246,7 +249,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {-1.406628966433006, 2.647772172109188, -2.647772172109188},
          {2.303993271019586, -2.617342257839412, -0.7514949330685669}},
         QUADROTOR_F64_SATURATED, 0x2FBA7207U,
-        {1.06e-13, 5.48e-13, 7.5e-14, 1.23e-13}, {0x24FE8FC8U, 0x33851E4AU, 0x71C9442AU}
+        {1.12e-13, 5.8e-13, 8.02e-14, 1.29e-13}, {0x24FE8FC8U, 0x33851E4AU, 0x71C9442AU}
     },
     { /* error 5 rad, moving reference */
         {{-0.9178705261504816, -0.17713696521381228, 0.04368413498581306, 0.35245976951933117},
@@ -259,7 +262,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {-2.6148818018424533, -2.288021576612147, 3.595462477533374},
          {-9.273473872023649, 12.821241403955593, 1.210081713772725}},
         QUADROTOR_F64_SATURATED, 0x1D07C85DU,
-        {1.46e-13, 7.15e-13, 1.05e-13, 4.2e-13}, {0xF9A1BB95U, 0x226E0CAEU, 0x8C17E0A3U}
+        {1.97e-13, 1.0e-12, 1.54e-13, 5.92e-13}, {0xF9A1BB95U, 0x226E0CAEU, 0x8C17E0A3U}
     },
     { /* error at the cut, at rest */
         {{-1.0, 0.0, 0.0, 0.0},
@@ -311,7 +314,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {4.727495299507449, 2.8702650032723795, 0.16883911783955174},
          {-2.844261218911957, 3.353834108214193, -1.8758657101064895}},
         QUADROTOR_F64_SATURATED, 0x0614C237U,
-        {1.44e-13, 9.74e-13, 1.49e-13, 6.07e-13}, {0x24194C86U, 0xD76243C4U, 0xCDBF8182U}
+        {2.35e-13, 1.96e-12, 3.13e-13, 7.24e-13}, {0x24194C86U, 0xD76243C4U, 0xCDBF8182U}
     },
     { /* error 1e-2 rad before the cut, moving reference */
         {{-0.9317751850906616, 0.2567584241044352, 0.2511169673743395, -0.053013062516564395},
@@ -324,7 +327,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {-5.893144359133591, -0.6799781952846831, -2.0399345858539597},
          {-273.76913860666343, -355.9314026012324, 916.699090175212}},
         QUADROTOR_F64_SATURATED, 0xB211CC73U,
-        {2.45e-10, 2.48e-11, 4.12e-12, 2.62e-9}, {0x920CF480U, 0x3771810EU, 0xE23F9822U}
+        {5.88e-10, 1.66e-10, 2.76e-11, 6.27e-9}, {0x920CF480U, 0x3771810EU, 0xE23F9822U}
     },
     { /* error 1e-3 rad before the cut, moving reference */
         {{-0.9303609166503136, -0.36215538523420515, 0.04049866941583652, -0.04039677575004465},
@@ -337,7 +340,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {-4.388096670050201, 2.8083818688321687, -3.510477336040235},
          {-9101.902512931725, 6701.680771758231, 16740.454008570963}},
         QUADROTOR_F64_NEAR_CUT_LOCUS, 0x0A05AFF9U,
-        {2.9e-8, 2.41e-10, 4.01e-11, 3.15e-7}, {0xF69B5FA9U, 0xA7F978E1U, 0xEA259CACU}
+        {9.05e-8, 1.29e-9, 2.16e-10, 9.85e-7}, {0xF69B5FA9U, 0xA7F978E1U, 0xEA259CACU}
     },
     { /* error 1e-3 rad beyond the cut, moving reference */
         {{-0.9306570200558294, -0.3126027838179912, -0.1898385237579098, -0.010878670298491893},
@@ -350,7 +353,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {3.8345750279078925, 3.355253149419353, 3.6748010684117003},
          {-3791.3900540733644, 4775.840597209506, -402.6811410277124}},
         QUADROTOR_F64_NEAR_CUT_LOCUS, 0x76414F58U,
-        {2.95e-8, 2.41e-10, 4.01e-11, 3.2e-7}, {0x37D53957U, 0xF0F50BEEU, 0xFD393478U}
+        {3.12e-8, 1.16e-9, 1.93e-10, 5.11e-7}, {0x37D53957U, 0xF0F50BEEU, 0xFD393478U}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.9295775343506111, 0.2635050511157888, 0.2535288570831586, -0.046624181421354494},
@@ -363,7 +366,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {4.876983073270898, 0.314644069243238, 3.93305086554103},
          {624.0939219065527, 1717.2631125725545, -907.8025121699136}},
         QUADROTOR_F64_SATURATED, 0x7E3128FEU,
-        {2.49e-10, 2.47e-11, 4.1e-12, 2.68e-9}, {0x2C4C3902U, 0xF1C08444U, 0x23C195A1U}
+        {5.96e-10, 1.41e-10, 2.35e-11, 9.52e-9}, {0x2C4C3902U, 0xF1C08444U, 0x23C195A1U}
     },
     { /* error 1e-9 rad before the cut, moving reference */
         {{-0.9305076218031431, -0.3618326982935344, 0.04020363323674886, -0.04020363275182922},
@@ -402,7 +405,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {6.282185307179587, 0.0, 0.0},
          {0.5, 3532.7473493568295, -1964.9496095126867}},
         QUADROTOR_F64_NEAR_CUT_LOCUS, 0x6EC9BE71U,
-        {4.18e-9, 2.41e-10, 4.01e-11, 4.51e-8}, {0xB9191EF5U, 0xB9191EF5U, 0x429CDBE0U}
+        {1.14e-8, 1.75e-9, 2.91e-10, 1.86e-7}, {0xB9191EF5U, 0xB9191EF5U, 0x429CDBE0U}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999998750000026, 0.0, -0.0004999999791666669, 0.0},
@@ -415,7 +418,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {0.0, -6.282185307179587, 0.0},
          {-3534.3178956836246, 1.1875, -1176.1427823193812}},
         QUADROTOR_F64_NEAR_CUT_LOCUS, 0x01593327U,
-        {8.78e-9, 2.41e-10, 4.01e-11, 9.51e-8}, {0xCAD0606AU, 0xCAD0606AU, 0x98275EA1U}
+        {1.32e-8, 1.75e-9, 2.91e-10, 2.36e-7}, {0xCAD0606AU, 0xCAD0606AU, 0x98275EA1U}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999998750000026, 0.0, 0.0, 0.0004999999791666669},
@@ -428,7 +431,7 @@ const quadrotor_f64_case quadrotor_f64_cases[QUADROTOR_F64_CASES] = {
          {0.0, 0.0, 6.282185307179587},
          {-3921.0648959371524, 10603.150005341724, -0.5}},
         QUADROTOR_F64_NEAR_CUT_LOCUS, 0xE682780CU,
-        {1.25e-8, 2.41e-10, 4.01e-11, 1.35e-7}, {0x417F767FU, 0x417F767FU, 0x23573482U}
+        {2.96e-8, 1.75e-9, 2.91e-10, 5.59e-7}, {0x417F767FU, 0x417F767FU, 0x23573482U}
     },
     { /* error 1 rad, moving reference */
         {{0.9265357592251903, 0.04329024506596904, -0.03143325134245385, 0.3723833941909477},
@@ -747,72 +750,72 @@ int quadrotor_f64_failures(const quadrotor_f64_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const quadrotor_f64_params *params)
 {
     return quadrotor_f64_check_params(params) != QUADROTOR_F64_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const quadrotor_f64_params *params, double *number, double below,
+        double least, double most)
 {
-    static const double spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*QUADROTOR_F64_MAX_PARAM,
-        -1.0, 0.0 /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    quadrotor_f64_params params = quadrotor_f64_defaults;
-    int failures = quadrotor_f64_check_params(&params) != QUADROTOR_F64_OK;
+    const double spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*most, -most, below};
+    const double good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = quadrotor_f64_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = quadrotor_f64_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f64_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f64_defaults;
-        params.force_limit[i % 3] = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = quadrotor_f64_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = quadrotor_f64_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
-    params = quadrotor_f64_defaults;
-    params.inertia[1] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = quadrotor_f64_defaults;
-    params.inertia[4] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const quadrotor_f64_case *const one = &quadrotor_f64_cases[0];
+    static const double spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*QUADROTOR_F64_MAX_PARAM, -2.0*QUADROTOR_F64_MAX_PARAM
+    };
     quadrotor_f64_params params = quadrotor_f64_defaults;
-    quadrotor_f64_command command;
-    quadrotor_f64_status status;
-    params.inertia[0] = INFINITE;
-    status = quadrotor_f64_control(&params, &one->state, &one->reference, &command);
-    return (status != QUADROTOR_F64_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = quadrotor_f64_check_params(&params) != QUADROTOR_F64_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = quadrotor_f64_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, QUADROTOR_F64_MIN_GAIN/2.0,
+            QUADROTOR_F64_MIN_GAIN,
+            QUADROTOR_F64_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, QUADROTOR_F64_MIN_GAIN/2.0,
+            QUADROTOR_F64_MIN_GAIN,
+            QUADROTOR_F64_MAX_RATE);
+    for (i = 0; i < 3; i++) {
+        failures += range_failures(&params, &params.force_limit[i], QUADROTOR_F64_MIN_GAIN/2.0,
+                QUADROTOR_F64_MIN_GAIN, QUADROTOR_F64_MAX_PARAM);
+    }
+    failures += range_failures(&params, &params.max_drift, 0.0, QUADROTOR_F64_MOST_DRIFT/1024.0,
+            QUADROTOR_F64_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -quadrotor_f64_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = quadrotor_f64_defaults.inertia[diagonal[i]];
+    }
+    params.inertia[1] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[1] = 0.0;
+    params.inertia[4] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[4] = 0.0;
+    return failures;
 }
 
 /* No pointer may be null; a build with QUADROTOR_CHECK_POINTERS finds those that are. */
@@ -835,10 +838,185 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    quadrotor_f64_params params;
+    quadrotor_f64_state state;
+    quadrotor_f64_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const quadrotor_f64_state state = {
+        {1.0, 0.0, 0.0, 0.0},
+        {0.0}
+    };
+    static const quadrotor_f64_reference reference = {
+        {1.0, 0.0, 0.0, 0.0},
+        {0.0},
+        {0.0}
+    };
+    one->params = quadrotor_f64_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, double size)
+{
+    one->reference.nu_dot[i] = 8.0*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, quadrotor_f64_status wanted)
+{
+    quadrotor_f64_command command;
+    const quadrotor_f64_status status = quadrotor_f64_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < QUADROTOR_F64_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, double *numbers, int count)
+{
+    static const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*QUADROTOR_F64_MAX_INPUT, -2.0*(QUADROTOR_F64_MAX_INPUT +
+                QUADROTOR_F64_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const double good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? QUADROTOR_F64_NONFINITE_INPUT :
+                    QUADROTOR_F64_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, double *g)
+{
+    static const int is_bounded[4] = {1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const double good = g[i];
+        g[i] = is_bounded[i] ? 2.0 : good;
+        failures += is_bounded[i] && !is_told(one, QUADROTOR_F64_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    at_rest(&one);
+    failures += !is_told(&one, QUADROTOR_F64_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0/2.0);
+        failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const quadrotor_f64_case hollow = {
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75}},
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75},
+         {-0.75, -0.5, -0.25}},
+        .bare = {0x3830DB7BU, 0x914867E6U, 0xB85AF0BFU}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
+static int limit_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        push(&one, i, 1.0);
+        for (j = 0; j < 3; j++) {
+            one.params.force_limit[j] = QUADROTOR_F64_MAX_PARAM;
+        }
+        one.params.force_limit[i] = QUADROTOR_F64_MIN_GAIN;
+        failures += !is_told(&one, QUADROTOR_F64_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0;
+        failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Forces either way, whose share of a limit is rounded either way: none is beyond it. */
+static int share_failures(void)
+{
+    trial one;
+    quadrotor_f64_command command;
+    double limit = 31.0/16.0;
+    int failures = 0;
+    int i;
+    int j;
+    at_rest(&one);
+    while (limit > one.params.inertia[0]) {
+        limit = limit/2.0;
+    }
+    for (i = 0; i < 3; i++) {
+        one.params.force_limit[i] = limit;
+    }
+    for (j = -SHARES; j <= SHARES; j++) {
+        push(&one, 0, (double)j + 1.0/2.0);
+        failures += quadrotor_f64_control(&one.params, &one.state, &one.reference, &command) !=
+                QUADROTOR_F64_SATURATED;
+        for (i = 0; i < 3; i++) {
+            failures += !(command.force[i] <= limit && -command.force[i] <= limit);
+        }
+    }
+    return failures;
+}
+
 int quadrotor_f64_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
+    failures += limit_failures() + share_failures();
     for (i = 0; i < QUADROTOR_F64_CASES; i++) {
         failures += quadrotor_f64_failures(&quadrotor_f64_cases[i]);
     }

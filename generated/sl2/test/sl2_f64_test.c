@@ -9,6 +9,8 @@
 #define NOT_A_NUMBER (0.0/0.0)
 #define INFINITE (1.0/0.0)
 
+#define LARGEST 1.7976931348623157e308
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0x3AD73145U /* of a command that is zero */
@@ -422,61 +424,60 @@ int sl2_f64_failures(const sl2_f64_case *one)
     return failures;
 }
 
+static const int diagonal[3] = {0, 3, 5};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const sl2_f64_params *params)
 {
     return sl2_f64_check_params(params) != SL2_F64_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const sl2_f64_params *params, double *number, double below,
+        double least, double most)
 {
-    static const double spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*SL2_F64_MAX_PARAM,
-        -1.0, 0.0 /* these two not in the inertia */
-    };
-    static const int diagonal[3] = {0, 3, 5};
-    sl2_f64_params params = sl2_f64_defaults;
-    int failures = sl2_f64_check_params(&params) != SL2_F64_OK;
+    const double spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*most, -most, below};
+    const double good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = sl2_f64_defaults;
-        params.inertia[i % 6] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = sl2_f64_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = sl2_f64_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = sl2_f64_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 3; i++) { /* no longer positive definite */
-        params = sl2_f64_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const sl2_f64_case *const one = &sl2_f64_cases[0];
+    static const double spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*SL2_F64_MAX_PARAM, -2.0*SL2_F64_MAX_PARAM
+    };
     sl2_f64_params params = sl2_f64_defaults;
-    sl2_f64_command command;
-    sl2_f64_status status;
-    params.inertia[0] = INFINITE;
-    status = sl2_f64_control(&params, &one->state, &one->reference, &command);
-    return (status != SL2_F64_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = sl2_f64_check_params(&params) != SL2_F64_OK;
+    int i;
+    for (i = 0; i < 30; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = sl2_f64_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, SL2_F64_MIN_GAIN/2.0, SL2_F64_MIN_GAIN,
+            SL2_F64_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, SL2_F64_MIN_GAIN/2.0, SL2_F64_MIN_GAIN,
+            SL2_F64_MAX_RATE);
+    failures += range_failures(&params, &params.max_drift, 0.0, SL2_F64_MOST_DRIFT/1024.0,
+            SL2_F64_MOST_DRIFT);
+    for (i = 0; i < 3; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -sl2_f64_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = sl2_f64_defaults.inertia[diagonal[i]];
+    }
+    return failures;
 }
 
 /* No pointer may be null; a build with SL2_CHECK_POINTERS finds those that are. */
@@ -498,10 +499,123 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    sl2_f64_params params;
+    sl2_f64_state state;
+    sl2_f64_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const sl2_f64_state state = {
+        {1.0, 0.0, 0.0, 1.0},
+        {0.0}
+    };
+    static const sl2_f64_reference reference = {
+        {1.0, 0.0, 0.0, 1.0},
+        {0.0},
+        {0.0}
+    };
+    one->params = sl2_f64_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, double size)
+{
+    one->reference.nu_dot[i] = 8.0*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, sl2_f64_status wanted)
+{
+    sl2_f64_command command;
+    const sl2_f64_status status = sl2_f64_control(&one->params, &one->state, &one->reference,
+            &command);
+    return status == wanted && (status < SL2_F64_NOT_ON_GROUP || bits_of(&command) == ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, double *numbers, int count)
+{
+    static const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*SL2_F64_MAX_INPUT, -2.0*(SL2_F64_MAX_INPUT + SL2_F64_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const double good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? SL2_F64_NONFINITE_INPUT : SL2_F64_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    at_rest(&one);
+    failures += !is_told(&one, SL2_F64_OK);
+    failures += number_failures(&one, one.state.g, 4);
+    failures += number_failures(&one, one.state.nu, 3);
+    failures += number_failures(&one, one.reference.g, 4);
+    failures += number_failures(&one, one.reference.nu, 3);
+    failures += number_failures(&one, one.reference.nu_dot, 3);
+    for (i = 0; i < 4; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 4);
+    for (i = 0; i < 4; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 4);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0/2.0);
+        failures += !is_told(&one, SL2_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const sl2_f64_case hollow = {
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75}},
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75},
+         {-0.75, -0.5, -0.25}},
+        .bare = {0xDD7BA4B1U, 0x228C2F46U, 0xD47EE3F0U}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
 int sl2_f64_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
     for (i = 0; i < SL2_F64_CASES; i++) {
         failures += sl2_f64_failures(&sl2_f64_cases[i]);
     }

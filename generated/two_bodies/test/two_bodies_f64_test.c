@@ -9,6 +9,8 @@
 #define NOT_A_NUMBER (0.0/0.0)
 #define INFINITE (1.0/0.0)
 
+#define LARGEST 1.7976931348623157e308
+
 #define START 2166136261U /* FNV-1a, 32 bit */
 #define PRIME 16777619U
 #define ZERO_BITS 0xCB5A1845U /* of a command that is zero */
@@ -898,160 +900,162 @@ int two_bodies_f64_failures(const two_bodies_f64_case *one)
     return failures;
 }
 
+static const int diagonal[9] = {0, 9, 17, 24, 30, 35, 39, 42, 44};
+
 /* Whether parameters that are no good are taken. */
 static int is_taken(const two_bodies_f64_params *params)
 {
     return two_bodies_f64_check_params(params) != TWO_BODIES_F64_BAD_PARAMS;
 }
 
-/* The vehicle's own parameters, and with one number spoilt at a time. */
-static int params_failures(void)
+/* A parameter that is taken from its least to its most, and neither below nor above. */
+static int range_failures(const two_bodies_f64_params *params, double *number, double below,
+        double least, double most)
 {
-    static const double spoilt[6] = {
-        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*TWO_BODIES_F64_MAX_PARAM,
-        -1.0, 0.0 /* these two not in the inertia */
-    };
-    static const int diagonal[9] = {0, 9, 17, 24, 30, 35, 39, 42, 44};
-    two_bodies_f64_params params = two_bodies_f64_defaults;
-    int failures = two_bodies_f64_check_params(&params) != TWO_BODIES_F64_OK;
+    const double spoilt[6] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*most, -most, below};
+    const double good = *number;
+    int failures = 0;
     int i;
-    for (i = 0; i < 4; i++) {
-        params = two_bodies_f64_defaults;
-        params.inertia[i % 45] = spoilt[i];
-        failures += is_taken(&params);
-    }
     for (i = 0; i < 6; i++) {
-        params = two_bodies_f64_defaults;
-        params.lambda = spoilt[i];
-        failures += is_taken(&params);
+        *number = spoilt[i];
+        failures += is_taken(params);
     }
-    for (i = 0; i < 6; i++) {
-        params = two_bodies_f64_defaults;
-        params.k_s = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 6; i++) {
-        params = two_bodies_f64_defaults;
-        params.max_drift = spoilt[i];
-        failures += is_taken(&params);
-    }
-    for (i = 0; i < 9; i++) { /* no longer positive definite */
-        params = two_bodies_f64_defaults;
-        params.inertia[diagonal[i]] = -params.inertia[diagonal[i]];
-        failures += is_taken(&params);
-    }
-    params = two_bodies_f64_defaults;
-    params.inertia[1] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[3] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[5] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[6] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[7] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[8] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[10] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[12] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[13] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[14] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[15] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[16] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[18] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[19] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[20] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[21] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[22] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[23] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[25] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[26] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[27] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[28] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[29] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[31] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[32] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[33] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[34] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[36] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[37] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[38] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[40] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[41] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
-    params = two_bodies_f64_defaults;
-    params.inertia[43] = params.inertia[0]/1024.0; /* taken for zero */
-    failures += is_taken(&params);
+    *number = least;
+    failures += !is_taken(params);
+    *number = most;
+    failures += !is_taken(params);
+    *number = good;
     return failures;
 }
 
-/* Parameters that nobody checked may lead beyond all numbers: still the command is zero. */
-static int unchecked_failures(void)
+/* The vehicle's own parameters, and with one number spoilt at a time. */
+static int params_failures(void)
 {
-    const two_bodies_f64_case *const one = &two_bodies_f64_cases[0];
+    static const double spoilt[5] = {
+        NOT_A_NUMBER, INFINITE, -INFINITE, 2.0*TWO_BODIES_F64_MAX_PARAM,
+                -2.0*TWO_BODIES_F64_MAX_PARAM
+    };
     two_bodies_f64_params params = two_bodies_f64_defaults;
-    two_bodies_f64_command command;
-    two_bodies_f64_status status;
-    params.inertia[0] = INFINITE;
-    status = two_bodies_f64_control(&params, &one->state, &one->reference, &command);
-    return (status != TWO_BODIES_F64_NONFINITE_INPUT) + (bits_of(&command) != ZERO_BITS);
+    int failures = two_bodies_f64_check_params(&params) != TWO_BODIES_F64_OK;
+    int i;
+    for (i = 0; i < 225; i++) {
+        params.inertia[i/5] = spoilt[i % 5];
+        failures += is_taken(&params);
+        params.inertia[i/5] = two_bodies_f64_defaults.inertia[i/5];
+    }
+    failures += range_failures(&params, &params.lambda, TWO_BODIES_F64_MIN_GAIN/2.0,
+            TWO_BODIES_F64_MIN_GAIN,
+            TWO_BODIES_F64_MAX_RATE);
+    failures += range_failures(&params, &params.k_s, TWO_BODIES_F64_MIN_GAIN/2.0,
+            TWO_BODIES_F64_MIN_GAIN,
+            TWO_BODIES_F64_MAX_RATE);
+    failures += range_failures(&params, &params.max_drift, 0.0, TWO_BODIES_F64_MOST_DRIFT/1024.0,
+            TWO_BODIES_F64_MOST_DRIFT);
+    for (i = 0; i < 9; i++) { /* no longer positive definite */
+        params.inertia[diagonal[i]] = -two_bodies_f64_defaults.inertia[diagonal[i]];
+        failures += is_taken(&params);
+        params.inertia[diagonal[i]] = two_bodies_f64_defaults.inertia[diagonal[i]];
+    }
+    params.inertia[1] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[1] = 0.0;
+    params.inertia[3] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[3] = 0.0;
+    params.inertia[5] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[5] = 0.0;
+    params.inertia[6] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[6] = 0.0;
+    params.inertia[7] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[7] = 0.0;
+    params.inertia[8] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[8] = 0.0;
+    params.inertia[10] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[10] = 0.0;
+    params.inertia[12] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[12] = 0.0;
+    params.inertia[13] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[13] = 0.0;
+    params.inertia[14] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[14] = 0.0;
+    params.inertia[15] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[15] = 0.0;
+    params.inertia[16] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[16] = 0.0;
+    params.inertia[18] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[18] = 0.0;
+    params.inertia[19] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[19] = 0.0;
+    params.inertia[20] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[20] = 0.0;
+    params.inertia[21] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[21] = 0.0;
+    params.inertia[22] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[22] = 0.0;
+    params.inertia[23] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[23] = 0.0;
+    params.inertia[25] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[25] = 0.0;
+    params.inertia[26] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[26] = 0.0;
+    params.inertia[27] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[27] = 0.0;
+    params.inertia[28] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[28] = 0.0;
+    params.inertia[29] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[29] = 0.0;
+    params.inertia[31] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[31] = 0.0;
+    params.inertia[32] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[32] = 0.0;
+    params.inertia[33] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[33] = 0.0;
+    params.inertia[34] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[34] = 0.0;
+    params.inertia[36] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[36] = 0.0;
+    params.inertia[37] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[37] = 0.0;
+    params.inertia[38] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[38] = 0.0;
+    params.inertia[40] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[40] = 0.0;
+    params.inertia[41] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[41] = 0.0;
+    params.inertia[43] = params.inertia[0]/1024.0; /* taken for zero */
+    failures += is_taken(&params);
+    params.inertia[43] = 0.0;
+    return failures;
 }
 
 /* No pointer may be null; a build with TWO_BODIES_CHECK_POINTERS finds those that are. */
@@ -1074,10 +1078,159 @@ static int pointer_failures(void)
     return failures;
 }
 
+/* All that control reads. */
+typedef struct {
+    two_bodies_f64_params params;
+    two_bodies_f64_state state;
+    two_bodies_f64_reference reference;
+} trial;
+
+/* The vehicle's own parameters, at rest at the identity and meant to stay there. */
+static void at_rest(trial *one)
+{
+    static const two_bodies_f64_state state = {
+        {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0,
+         0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+        {0.0}
+    };
+    static const two_bodies_f64_reference reference = {
+        {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0,
+         0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+        {0.0},
+        {0.0}
+    };
+    one->params = two_bodies_f64_defaults;
+    one->state = state;
+    one->reference = reference;
+}
+
+/* A force along one coordinate and next to none along others: of a reference, or by firm gains. */
+static void push(trial *one, int i, double size)
+{
+    one->reference.nu_dot[i] = 8.0*size;
+}
+
+/* Whether control says this, and where that refuses the inputs gives zero. */
+static int is_told(const trial *one, two_bodies_f64_status wanted)
+{
+    two_bodies_f64_command command;
+    const two_bodies_f64_status status = two_bodies_f64_control(&one->params, &one->state,
+            &one->reference, &command);
+    return status == wanted && (status < TWO_BODIES_F64_NOT_ON_GROUP || bits_of(&command) ==
+            ZERO_BITS);
+}
+
+/* Each of these numbers by itself: no number at all, and beyond either range. */
+static int number_failures(const trial *one, double *numbers, int count)
+{
+    static const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*TWO_BODIES_F64_MAX_INPUT, -2.0*(TWO_BODIES_F64_MAX_INPUT +
+                TWO_BODIES_F64_MAX_REACH)
+    };
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < count; i++) {
+        const double good = numbers[i];
+        for (j = 0; j < 4; j++) {
+            numbers[i] = spoilt[j];
+            failures += !is_told(one, j < 2 ? TWO_BODIES_F64_NONFINITE_INPUT :
+                    TWO_BODIES_F64_OUT_OF_RANGE);
+        }
+        numbers[i] = good;
+    }
+    return failures;
+}
+
+/* Each number of an element that its group keeps within 1: twice as much is no element. */
+static int element_failures(const trial *one, double *g)
+{
+    static const int is_bounded[25] = {1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1,
+        1, 1, 1, 1, 1};
+    int failures = 0;
+    int i;
+    for (i = 0; i < 25; i++) {
+        const double good = g[i];
+        g[i] = is_bounded[i] ? 2.0 : good;
+        failures += is_bounded[i] && !is_told(one, TWO_BODIES_F64_NOT_ON_GROUP);
+        g[i] = good;
+    }
+    return failures;
+}
+
+/* From rest, every number of the inputs spoilt by itself. */
+static int input_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    at_rest(&one);
+    failures += !is_told(&one, TWO_BODIES_F64_OK);
+    failures += number_failures(&one, one.state.g, 25);
+    failures += element_failures(&one, one.state.g);
+    failures += number_failures(&one, one.state.nu, 9);
+    failures += number_failures(&one, one.reference.g, 25);
+    failures += element_failures(&one, one.reference.g);
+    failures += number_failures(&one, one.reference.nu, 9);
+    failures += number_failures(&one, one.reference.nu_dot, 9);
+    for (i = 0; i < 25; i++) { /* an error of zeros lets these numbers through */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 25);
+    for (i = 0; i < 25; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 25);
+    return failures;
+}
+
+/* Parameters that nobody checked may lead one force beyond all numbers: the command is zero. */
+static int overflow_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 9; i++) {
+        at_rest(&one);
+        one.params.inertia[diagonal[i]] = LARGEST;
+        push(&one, i, 1.0/2.0);
+        failures += !is_told(&one, TWO_BODIES_F64_NONFINITE_INPUT);
+    }
+    return failures;
+}
+
+/* Where control refuses what is no element of the group, the bare routines go on to numbers. */
+static int hollow_failures(void)
+{
+    static const two_bodies_f64_case hollow = {
+        {{-4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0,
+          1.3877787807814457e-17, 2.7755575615628914e-17, 4.163336342344337e-17,
+          -4.163336342344337e-17, -2.7755575615628914e-17, -1.3877787807814457e-17, 0.0},
+         {0.25, 0.5, 0.75, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5}},
+        {{4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17, 2.7755575615628914e-17,
+          4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17, 2.7755575615628914e-17,
+          4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17, 0.0, 1.3877787807814457e-17, 2.7755575615628914e-17,
+          4.163336342344337e-17, -4.163336342344337e-17, -2.7755575615628914e-17,
+          -1.3877787807814457e-17},
+         {0.0, 0.25, 0.5, 0.75, -0.75, -0.5, -0.25, 0.0, 0.25},
+         {0.5, 0.75, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75}},
+        .bare = {0x6E69CDADU, 0xCF53BFB8U, 0x53B657CCU}
+    };
+    return bare_failures(&hollow, &hollow.truth);
+}
+
 int two_bodies_f64_test(void)
 {
-    int failures = params_failures() + unchecked_failures() + pointer_failures();
+    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
     int i;
+    failures += hollow_failures();
     for (i = 0; i < TWO_BODIES_F64_CASES; i++) {
         failures += two_bodies_f64_failures(&two_bodies_f64_cases[i]);
     }

@@ -5,7 +5,10 @@
 #include "cubesat_3u_f32.h"
 
 #include <math.h>
+
+#ifdef CUBESAT_3U_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -555,11 +558,11 @@ static float cubesat_3u_f32_share(const float share, const float force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static float cubesat_3u_f32_cut(const float force, const float limit)
 {
-    const float below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
@@ -569,18 +572,16 @@ static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
-    float sum;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        cubesat_3u_f32_nothing(command);
+        return CUBESAT_3U_F32_NONFINITE_INPUT;
+    }
     share = cubesat_3u_f32_share(share, force[0], limit[0]);
     share = cubesat_3u_f32_share(share, force[1], limit[1]);
     share = cubesat_3u_f32_share(share, force[2], limit[2]);
     force[0] = cubesat_3u_f32_cut(force[0]*share, limit[0]);
     force[1] = cubesat_3u_f32_cut(force[1]*share, limit[1]);
     force[2] = cubesat_3u_f32_cut(force[2]*share, limit[2]);
-    sum = force[0] + force[1] + force[2];
-    if (!isfinite(sum)) { /* one of them was not, or infinite */
-        cubesat_3u_f32_nothing(command);
-        return CUBESAT_3U_F32_NONFINITE_INPUT;
-    }
     return CUBESAT_3U_F32_SATURATED;
 }
 
@@ -605,7 +606,7 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
         cubesat_3u_f32_command *command)
 {
     float clearance;
-#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef CUBESAT_3U_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }

@@ -5,7 +5,10 @@
 #include "cubesat_3u_f64.h"
 
 #include <math.h>
+
+#ifdef CUBESAT_3U_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -567,11 +570,11 @@ static double cubesat_3u_f64_share(const double share, const double force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static double cubesat_3u_f64_cut(const double force, const double limit)
 {
-    const double below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
@@ -581,18 +584,16 @@ static cubesat_3u_f64_status cubesat_3u_f64_saturate(const cubesat_3u_f64_params
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    double sum;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        cubesat_3u_f64_nothing(command);
+        return CUBESAT_3U_F64_NONFINITE_INPUT;
+    }
     share = cubesat_3u_f64_share(share, force[0], limit[0]);
     share = cubesat_3u_f64_share(share, force[1], limit[1]);
     share = cubesat_3u_f64_share(share, force[2], limit[2]);
     force[0] = cubesat_3u_f64_cut(force[0]*share, limit[0]);
     force[1] = cubesat_3u_f64_cut(force[1]*share, limit[1]);
     force[2] = cubesat_3u_f64_cut(force[2]*share, limit[2]);
-    sum = force[0] + force[1] + force[2];
-    if (!isfinite(sum)) { /* one of them was not, or infinite */
-        cubesat_3u_f64_nothing(command);
-        return CUBESAT_3U_F64_NONFINITE_INPUT;
-    }
     return CUBESAT_3U_F64_SATURATED;
 }
 
@@ -617,7 +618,7 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
         cubesat_3u_f64_command *command)
 {
     double clearance;
-#ifdef CUBESAT_3U_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef CUBESAT_3U_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return CUBESAT_3U_F64_BAD_PARAMS;
     }

@@ -5,7 +5,10 @@
 #include "freeflyer_f32.h"
 
 #include <math.h>
+
+#ifdef FREEFLYER_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1044,11 +1047,11 @@ static freeflyer_f32_status freeflyer_f32_refuse(const freeflyer_f32_state *stat
     return worst;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static float freeflyer_f32_cut(const float force, const float limit)
 {
-    const float below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, each coordinate by itself. */
@@ -1095,7 +1098,7 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
         freeflyer_f32_command *command)
 {
     float clearance;
-#ifdef FREEFLYER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef FREEFLYER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return FREEFLYER_F32_BAD_PARAMS;
     }

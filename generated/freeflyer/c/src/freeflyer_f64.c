@@ -5,7 +5,10 @@
 #include "freeflyer_f64.h"
 
 #include <math.h>
+
+#ifdef FREEFLYER_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1081,11 +1084,11 @@ static freeflyer_f64_status freeflyer_f64_refuse(const freeflyer_f64_state *stat
     return worst;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static double freeflyer_f64_cut(const double force, const double limit)
 {
-    const double below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, each coordinate by itself. */
@@ -1132,7 +1135,7 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
         freeflyer_f64_command *command)
 {
     double clearance;
-#ifdef FREEFLYER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef FREEFLYER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return FREEFLYER_F64_BAD_PARAMS;
     }

@@ -5,7 +5,10 @@
 #include "hovercraft_f32.h"
 
 #include <math.h>
+
+#ifdef HOVERCRAFT_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -562,7 +565,7 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
         hovercraft_f32_command *command)
 {
     float clearance;
-#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef HOVERCRAFT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }

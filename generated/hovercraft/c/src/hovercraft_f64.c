@@ -5,7 +5,10 @@
 #include "hovercraft_f64.h"
 
 #include <math.h>
+
+#ifdef HOVERCRAFT_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -586,7 +589,7 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
         hovercraft_f64_command *command)
 {
     double clearance;
-#ifdef HOVERCRAFT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef HOVERCRAFT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }

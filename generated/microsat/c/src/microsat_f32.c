@@ -5,7 +5,10 @@
 #include "microsat_f32.h"
 
 #include <math.h>
+
+#ifdef MICROSAT_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -549,11 +552,11 @@ static float microsat_f32_share(const float share, const float force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static float microsat_f32_cut(const float force, const float limit)
 {
-    const float below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
@@ -563,18 +566,16 @@ static microsat_f32_status microsat_f32_saturate(const microsat_f32_params *para
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
-    float sum;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        microsat_f32_nothing(command);
+        return MICROSAT_F32_NONFINITE_INPUT;
+    }
     share = microsat_f32_share(share, force[0], limit[0]);
     share = microsat_f32_share(share, force[1], limit[1]);
     share = microsat_f32_share(share, force[2], limit[2]);
     force[0] = microsat_f32_cut(force[0]*share, limit[0]);
     force[1] = microsat_f32_cut(force[1]*share, limit[1]);
     force[2] = microsat_f32_cut(force[2]*share, limit[2]);
-    sum = force[0] + force[1] + force[2];
-    if (!isfinite(sum)) { /* one of them was not, or infinite */
-        microsat_f32_nothing(command);
-        return MICROSAT_F32_NONFINITE_INPUT;
-    }
     return MICROSAT_F32_SATURATED;
 }
 
@@ -616,7 +617,7 @@ microsat_f32_status microsat_f32_control(const microsat_f32_params *params,
         microsat_f32_side *side, microsat_f32_command *command)
 {
     float sign;
-#ifdef MICROSAT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef MICROSAT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || side == NULL || command == NULL) {
         return MICROSAT_F32_BAD_PARAMS;
     }

@@ -5,7 +5,10 @@
 #include "microsat_f64.h"
 
 #include <math.h>
+
+#ifdef MICROSAT_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -561,11 +564,11 @@ static double microsat_f64_share(const double share, const double force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static double microsat_f64_cut(const double force, const double limit)
 {
-    const double below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
@@ -575,18 +578,16 @@ static microsat_f64_status microsat_f64_saturate(const microsat_f64_params *para
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    double sum;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        microsat_f64_nothing(command);
+        return MICROSAT_F64_NONFINITE_INPUT;
+    }
     share = microsat_f64_share(share, force[0], limit[0]);
     share = microsat_f64_share(share, force[1], limit[1]);
     share = microsat_f64_share(share, force[2], limit[2]);
     force[0] = microsat_f64_cut(force[0]*share, limit[0]);
     force[1] = microsat_f64_cut(force[1]*share, limit[1]);
     force[2] = microsat_f64_cut(force[2]*share, limit[2]);
-    sum = force[0] + force[1] + force[2];
-    if (!isfinite(sum)) { /* one of them was not, or infinite */
-        microsat_f64_nothing(command);
-        return MICROSAT_F64_NONFINITE_INPUT;
-    }
     return MICROSAT_F64_SATURATED;
 }
 
@@ -628,7 +629,7 @@ microsat_f64_status microsat_f64_control(const microsat_f64_params *params,
         microsat_f64_side *side, microsat_f64_command *command)
 {
     double sign;
-#ifdef MICROSAT_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef MICROSAT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || side == NULL || command == NULL) {
         return MICROSAT_F64_BAD_PARAMS;
     }

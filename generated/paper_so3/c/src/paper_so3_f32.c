@@ -5,7 +5,10 @@
 #include "paper_so3_f32.h"
 
 #include <math.h>
+
+#ifdef PAPER_SO3_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -612,7 +615,7 @@ paper_so3_f32_status paper_so3_f32_control(const paper_so3_f32_params *params,
         paper_so3_f32_command *command)
 {
     float clearance;
-#ifdef PAPER_SO3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return PAPER_SO3_F32_BAD_PARAMS;
     }

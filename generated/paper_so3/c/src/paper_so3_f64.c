@@ -5,7 +5,10 @@
 #include "paper_so3_f64.h"
 
 #include <math.h>
+
+#ifdef PAPER_SO3_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -625,7 +628,7 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
         paper_so3_f64_command *command)
 {
     double clearance;
-#ifdef PAPER_SO3_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return PAPER_SO3_F64_BAD_PARAMS;
     }

@@ -5,7 +5,11 @@
 #include "paper_so3_lsf_f32.h"
 
 #include <math.h>
+
+/* that none is null: a precondition, which the self-test checks */
+#ifdef PAPER_SO3_LSF_CHECK_POINTERS
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -296,7 +300,6 @@ paper_so3_lsf_f32_status paper_so3_lsf_f32_control(const paper_so3_lsf_f32_param
         const paper_so3_lsf_f32_state *state, const paper_so3_lsf_f32_reference *reference,
         paper_so3_lsf_f32_command *command)
 {
-/* none may be null: a precondition, which the self-test checks */
 #ifdef PAPER_SO3_LSF_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return PAPER_SO3_LSF_F32_BAD_PARAMS;

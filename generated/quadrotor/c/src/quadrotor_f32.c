@@ -5,7 +5,10 @@
 #include "quadrotor_f32.h"
 
 #include <math.h>
+
+#ifdef QUADROTOR_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -514,11 +517,11 @@ static float quadrotor_f32_share(const float share, const float force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static float quadrotor_f32_cut(const float force, const float limit)
 {
-    const float below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
@@ -528,18 +531,16 @@ static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *p
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
-    float sum;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        quadrotor_f32_nothing(command);
+        return QUADROTOR_F32_NONFINITE_INPUT;
+    }
     share = quadrotor_f32_share(share, force[0], limit[0]);
     share = quadrotor_f32_share(share, force[1], limit[1]);
     share = quadrotor_f32_share(share, force[2], limit[2]);
     force[0] = quadrotor_f32_cut(force[0]*share, limit[0]);
     force[1] = quadrotor_f32_cut(force[1]*share, limit[1]);
     force[2] = quadrotor_f32_cut(force[2]*share, limit[2]);
-    sum = force[0] + force[1] + force[2];
-    if (!isfinite(sum)) { /* one of them was not, or infinite */
-        quadrotor_f32_nothing(command);
-        return QUADROTOR_F32_NONFINITE_INPUT;
-    }
     return QUADROTOR_F32_SATURATED;
 }
 
@@ -568,7 +569,7 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
         quadrotor_f32_command *command)
 {
     float clearance;
-#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return QUADROTOR_F32_BAD_PARAMS;
     }

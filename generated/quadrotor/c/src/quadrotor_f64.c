@@ -5,7 +5,10 @@
 #include "quadrotor_f64.h"
 
 #include <math.h>
+
+#ifdef QUADROTOR_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -527,11 +530,11 @@ static double quadrotor_f64_share(const double share, const double force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit; NaN stays what it is. */
+/* A force cut at its limit. */
 static double quadrotor_f64_cut(const double force, const double limit)
 {
-    const double below = (force > limit) ? limit : force;
-    return (below < -limit) ? -limit : below;
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
 }
 
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
@@ -541,18 +544,16 @@ static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *p
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    double sum;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        quadrotor_f64_nothing(command);
+        return QUADROTOR_F64_NONFINITE_INPUT;
+    }
     share = quadrotor_f64_share(share, force[0], limit[0]);
     share = quadrotor_f64_share(share, force[1], limit[1]);
     share = quadrotor_f64_share(share, force[2], limit[2]);
     force[0] = quadrotor_f64_cut(force[0]*share, limit[0]);
     force[1] = quadrotor_f64_cut(force[1]*share, limit[1]);
     force[2] = quadrotor_f64_cut(force[2]*share, limit[2]);
-    sum = force[0] + force[1] + force[2];
-    if (!isfinite(sum)) { /* one of them was not, or infinite */
-        quadrotor_f64_nothing(command);
-        return QUADROTOR_F64_NONFINITE_INPUT;
-    }
     return QUADROTOR_F64_SATURATED;
 }
 
@@ -581,7 +582,7 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
     double clearance;
-#ifdef QUADROTOR_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return QUADROTOR_F64_BAD_PARAMS;
     }

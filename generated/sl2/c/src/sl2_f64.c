@@ -5,7 +5,10 @@
 #include "sl2_f64.h"
 
 #include <math.h>
+
+#ifdef SL2_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -384,7 +387,7 @@ static sl2_f64_status sl2_f64_verdict(sl2_f64_command *command)
 sl2_f64_status sl2_f64_control(const sl2_f64_params *params, const sl2_f64_state *state,
         const sl2_f64_reference *reference, sl2_f64_command *command)
 {
-#ifdef SL2_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef SL2_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return SL2_F64_BAD_PARAMS;
     }

@@ -6,7 +6,10 @@
 #include "two_bodies_f32.h"
 
 #include <math.h>
+
+#ifdef TWO_BODIES_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1307,7 +1310,7 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
         two_bodies_f32_command *command)
 {
     float clearance;
-#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef TWO_BODIES_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }

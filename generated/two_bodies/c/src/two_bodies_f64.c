@@ -6,7 +6,10 @@
 #include "two_bodies_f64.h"
 
 #include <math.h>
+
+#ifdef TWO_BODIES_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1342,7 +1345,7 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
         two_bodies_f64_command *command)
 {
     double clearance;
-#ifdef TWO_BODIES_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef TWO_BODIES_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return TWO_BODIES_F64_BAD_PARAMS;
     }

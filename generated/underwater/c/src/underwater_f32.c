@@ -5,7 +5,10 @@
 #include "underwater_f32.h"
 
 #include <math.h>
+
+#ifdef UNDERWATER_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1116,7 +1119,7 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
         underwater_f32_command *command)
 {
     float clearance;
-#ifdef UNDERWATER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef UNDERWATER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return UNDERWATER_F32_BAD_PARAMS;
     }

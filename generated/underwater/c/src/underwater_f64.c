@@ -5,7 +5,10 @@
 #include "underwater_f64.h"
 
 #include <math.h>
+
+#ifdef UNDERWATER_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
 #include <stddef.h>
+#endif
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
@@ -1152,7 +1155,7 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
         underwater_f64_command *command)
 {
     double clearance;
-#ifdef UNDERWATER_CHECK_POINTERS /* none may be null: a precondition, which the self-test checks */
+#ifdef UNDERWATER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
         return UNDERWATER_F64_BAD_PARAMS;
     }
