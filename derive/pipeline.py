@@ -77,7 +77,7 @@ def derived(vehicle: Vehicle) -> Printed:
     group = group_of(vehicle)
     law = laws_of(group)[vehicle.law]
     parts = derivations(vehicle)
-    described = {
+    described: Printed = {
         "group": group.name,
         "law": f"{law.name} ({law.doc})",
         "controller": vehicle.controller,

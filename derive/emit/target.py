@@ -55,7 +55,7 @@ class Scalar:
 
         hysteresis: of the choice between q and -q, where there is one
         """
-        side = ("HYSTERESIS", hysteresis or Fraction(0), "of the scalar part of the error, beyond half a turn")
+        side = ("HYSTERESIS", hysteresis or Fraction(0), "scalar part that turns the error over")
         reach = self.max_own if is_own else self.max_reach
         return (
             ("MAX_INPUT", self.max_input, "largest magnitude of a number in state or reference"),

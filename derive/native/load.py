@@ -79,8 +79,9 @@ class Library:
 
         A struct is given as a mapping of its fields, a plain array as itself. Each has the
         shape of the C field after any leading axes, which broadcast; so have the outputs.
-        Fields of `params` left out, or all of it, are the defaults. A struct that is read and
-        written may be given as well; it is zero otherwise. Raises KeyError for an unknown routine, TypeError for wrong arguments or fields, ValueError for a wrong shape.
+        Fields of `params` left out, or all of it, are the defaults. What is read and written,
+        KEPT, may be given as well, and is zero otherwise. Raises KeyError for an unknown routine,
+        TypeError for wrong arguments or fields, ValueError for a wrong shape.
         """
         declared = self.routines[routine]
         layouts = {one.name: self.argument(one) for one in declared.parameters}

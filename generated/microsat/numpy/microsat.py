@@ -15,7 +15,7 @@ import numpy as np
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
 MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
 MOST_DRIFT = 0.1  # largest max_drift that may be asked for
-HYSTERESIS = 0.1  # of the scalar part of the error, beyond half a turn
+HYSTERESIS = 0.1  # scalar part that turns the error over
 MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
 MIN_GAIN = 1.0e-9  # least gain
 MAX_RATE = 1.0e4  # largest gain in 1/s

@@ -29,7 +29,7 @@ extern "C" {
 #define MICROSAT_F64_MAX_INPUT 1.0e6 /**< largest magnitude of a number in state or reference */
 #define MICROSAT_F64_MAX_ENTRY 1.01 /**< of an entry of the error that the group keeps at 1 */
 #define MICROSAT_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
-#define MICROSAT_F64_HYSTERESIS 0.1 /**< of the scalar part of the error, beyond half a turn */
+#define MICROSAT_F64_HYSTERESIS 0.1 /**< scalar part that turns the error over */
 #define MICROSAT_F64_MAX_PARAM 1.0e9 /**< largest inertia entry, force limit, or other gain */
 #define MICROSAT_F64_MIN_GAIN 1.0e-9 /**< least gain */
 #define MICROSAT_F64_MAX_RATE 1.0e4 /**< largest gain in 1/s */
@@ -95,11 +95,12 @@ microsat_f64_status microsat_f64_check_params(const microsat_f64_params *params)
  * The guarded controller, for parameters that were checked. Whatever bits the other inputs are
  * made of, all of the command is written, and it is finite.
  *
- * The error is taken as q or as -q, one attitude: the nearer one at first, then as before, until
- * its scalar part is below -MICROSAT_F64_HYSTERESIS: the other way round is then that
- * much shorter, so that noise at half a turn does not turn the force over and over. NEAR_CUT_LOCUS
- * tells of scalar parts below MICROSAT_F64_HYSTERESIS: either way round may be the one.
- * The side is written where the status is below 16. Of what it holds, the sign alone is read.
+ * The error is taken as q or as -q, which are one attitude: the nearer one at first, then with
+ * the same sign until its scalar part, the cosine of half its angle, is below minus HYSTERESIS and
+ * the other way round so much shorter. Noise at half a turn does not turn the force over and over.
+ * - NEAR_CUT_LOCUS: that scalar part is below HYSTERESIS, where the past decides which way round.
+ * - The side is written where the status is below 16; elsewhere it is left as it was.
+ * - Of what it holds the sign alone is read: any bits are good, NaN and 0 choose the nearer one.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves
