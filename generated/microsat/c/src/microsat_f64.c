@@ -578,7 +578,8 @@ static microsat_f64_status microsat_f64_saturate(const microsat_f64_params *para
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
+            && isfinite(force[2]) && limit[2] > 0.0)) {
         microsat_f64_nothing(command);
         return MICROSAT_F64_NONFINITE_INPUT;
     }
