@@ -247,4 +247,5 @@ def _values(vehicle: Vehicle) -> dict[str, Any]:
         "saturation": vehicle.limits.saturation,
         "max_drift": vehicle.limits.drift,
         "is_own": vehicle.own is not None,
+        "has_reference": vehicle.controller != "reaching",
     }

@@ -177,12 +177,13 @@ def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str,
         return number(value, scalar)
 
     drift = values["max_drift"] or kind.max_drift
+    bounds = kind.constants(values["is_own"], values["has_reference"])
     return {
         "vehicle": values["name"],
         "prefix": prefix,
         "macro": prefix.upper(),
         "scalar": kind,
-        "constants": [(name, text(x), doc) for name, x, doc in kind.constants(values["is_own"])],
+        "constants": [(name, text(x), doc) for name, x, doc in bounds],
         "inertia": [text(value) for value in values["inertia"]],
         "gains": [(name, text(value)) for name, value in values["gains"]],
         "force_limit": [text(value) for value in values["force_limit"]],
