@@ -250,4 +250,5 @@ def _values(vehicle: Vehicle) -> dict[str, Any]:
         "max_drift": vehicle.limits.drift,
         "hysteresis": vehicle.hysteresis,
         "is_own": vehicle.own is not None,
+        "has_reference": vehicle.controller != "reaching",
     }
