@@ -1052,8 +1052,7 @@ static int is_told(const trial *one, cubesat_3u_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count, float most)
 {
     const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(CUBESAT_3U_F32_MAX_INPUT +
-                CUBESAT_3U_F32_MAX_REACH)
+        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(CUBESAT_3U_F32_MAX_INPUT)
     };
     int failures = 0;
     int i;
