@@ -10,11 +10,11 @@ BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
 VEHICLES := $(sort $(wildcard vehicles/*.toml))
 
-.DEFAULT_GOAL := evidence
+.DEFAULT_GOAL := verify
 .DELETE_ON_ERROR:
-.PHONY: evidence test emit bench clean
+.PHONY: verify test emit evidence bench clean
 
-evidence: $(VENV)/core.stamp
+verify: $(VENV)/core.stamp
 	$(BIN)/derive check $(VEHICLES)
 	$(BIN)/derive verify vehicles/paper_so3.toml
 	$(BIN)/derive verify vehicles/paper_s3.toml
@@ -27,6 +27,9 @@ test: $(VENV)/test.stamp
 
 emit: $(VENV)/core.stamp
 	$(BIN)/derive emit $(VEHICLES)
+
+evidence: $(VENV)/evidence.stamp
+	$(BIN)/derive evidence $(VEHICLES)
 
 bench: $(VENV)/test.stamp
 	$(BIN)/python -m bench
@@ -52,4 +55,9 @@ $(VENV)/core.stamp: pyproject.toml constraints.txt | $(BIN)/python
 $(VENV)/test.stamp: pyproject.toml constraints.txt | $(BIN)/python
 	@echo 'installing derive and its test tools'
 	@$(PIP) install --constraint constraints.txt --editable '.[test]'
+	@touch $@ $(VENV)/core.stamp
+
+$(VENV)/evidence.stamp: pyproject.toml constraints.txt | $(BIN)/python
+	@echo 'installing derive and the tools of its evidence'
+	@$(PIP) install --constraint constraints.txt --editable '.[evidence]'
 	@touch $@ $(VENV)/core.stamp

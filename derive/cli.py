@@ -15,22 +15,22 @@ from pathlib import Path
 import click
 
 from derive import __version__
+from derive.cli_evidence import evidence, verify
 from derive.cli_simulate import simulate
 from derive.cli_sweep import sweep
 from derive.cli_theory import laws, prove
 from derive.terminal import (
     FINDING,
-    GENERATED,
     AnyPath,
     cache,
     cache_option,
     everything,
     give,
-    json_option,
     loaded,
     out_option,
     probe,
-    progress,
+    spelled,
+    stale,
     warn,
 )
 
@@ -60,13 +60,19 @@ def init(name: str, group: str, law: str | None) -> None:
 @out_option
 @cache_option
 def emit(files: tuple[Path, ...], out: Path, no_cache: bool) -> None:
-    """Derive, and write a package of C and numpy per vehicle."""
+    """Derive, and write a package of C and numpy per vehicle.
+
+    A page of evidence that lies there is kept, and told when it speaks of other code.
+    """
     from derive import pipeline
 
-    written = pipeline.emit(loaded(files), out, cache(no_cache))
+    vehicles = loaded(files)
+    written = pipeline.emit(vehicles, out, cache(no_cache))
     for one in written:
         click.echo(f"{'wrote' if one.is_changed else 'unchanged'} {one.folder} ({one.files} files)")
     warn(written)
+    for line in stale(vehicles, out):
+        click.echo(line, err=True)
 
 
 @commands.command()
@@ -76,13 +82,15 @@ def emit(files: tuple[Path, ...], out: Path, no_cache: bool) -> None:
 def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
     """Compare what is generated with what the vehicle files give, byte for byte.
 
+    A page of evidence has to speak of the code that it lies beside, where there is one.
     Without arguments: every vehicles/*.toml of the current folder.
     """
     from derive import pipeline
     from derive.place import strangers
 
+    vehicles = loaded(files or everything())
     drifted, foreign = [], []
-    for vehicle, drifts in pipeline.check(loaded(files or everything()), out, cache(no_cache)):
+    for vehicle, drifts in pipeline.check(vehicles, out, cache(no_cache)):
         place = out / vehicle.name
         for drift in drifts:
             line = f":{drift.line}" if drift.line else ""
@@ -96,65 +104,11 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
     if foreign:
         click.echo(f"move away first, derive did not write it: {shlex.join(foreign)}")
     if drifted:
-        option = [] if out == GENERATED else ["--out", str(out)]
-        click.echo(f"update with: {shlex.join(['derive', 'emit', *drifted, *option])}")
-    return FINDING if drifted else 0
-
-
-@commands.command()
-@click.argument("file", metavar="VEHICLE.toml", type=AnyPath)
-@json_option
-@click.option("--html", "html_file", type=AnyPath, help="Write it as a page; - for the screen.")
-@click.option(
-    "--samples",
-    default=120,
-    show_default=True,
-    type=click.IntRange(1, 100_000),
-    help="States per rung of the angle ladder.",
-)
-@click.option(
-    "--seed",
-    default=0,
-    show_default=True,
-    type=click.IntRange(0),
-    help="Seed of the random states.",
-)
-@click.option("--mutants", is_flag=True, help="Also show that every mutant of the code is caught.")
-@click.option("--allow-missing", is_flag=True, help="Exit 0 also where no compiler runs the C.")
-@cache_option
-def verify(
-    file: Path,
-    json_file: Path | None,
-    html_file: Path | None,
-    samples: int,
-    seed: int,
-    mutants: bool,
-    allow_missing: bool,
-    no_cache: bool,
-) -> int:
-    """Check every derivative and property against independent truth; worst figure, limit."""
-    from derive import pipeline
-
-    (vehicle,) = loaded((file,))
-    probe(json_file, "--json")
-    probe(html_file, "--html")
-    show = progress()
-    try:
-        report = pipeline.verify(
-            vehicle, cache(no_cache), show, each=samples, seed=seed, with_mutants=mutants
-        )
-    finally:
-        show("")
-    if Path("-") not in (json_file, html_file):
-        click.echo(report.table())
-    if json_file:
-        give(json_file, report.as_json(), "--json")
-    if html_file:
-        give(html_file, report.as_html(), "--html")
-    is_whole = allow_missing or not report.skipped
-    if not is_whole:
-        click.echo("not everything was checked; --allow-missing accepts that", err=True)
-    return 0 if report.ok and is_whole else FINDING
+        click.echo(f"update with: {spelled('emit', drifted, out)}")
+    old = stale(vehicles, out)
+    for line in old:
+        click.echo(line)
+    return FINDING if drifted or old else 0
 
 
 @commands.command()
@@ -188,6 +142,8 @@ def explain(
     give(place, text, "--out")
 
 
+commands.add_command(verify)
+commands.add_command(evidence)
 commands.add_command(prove)
 commands.add_command(laws)
 commands.add_command(sweep)

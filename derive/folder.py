@@ -1,7 +1,8 @@
 """Emitted folders on disk: read whole, replaced whole, never mixed with foreign files.
 
 New folders are written beside the old ones and renamed into their places, all of a call or none,
-under a lock on the folder that holds them.
+under a lock on the folder that holds them. A page of evidence is measured and not derived: it stays
+where it is when the rest of its folder is replaced.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EACCES, EISDIR, ENOTDIR
 from pathlib import Path
+
+from derive.evidence.stamp import PAGE, is_page
 
 MANIFEST = "MANIFEST.toml"
 PART = (".derive-", ".part")
@@ -38,6 +41,12 @@ def read(folder: Path) -> dict[str, str]:
     return found
 
 
+def derived(folder: Path) -> dict[str, str]:
+    """The same without a page of evidence."""
+    is_there = is_page(folder / PAGE)
+    return {name: text for name, text in read(folder).items() if not (is_there and name == PAGE)}
+
+
 def strangers(folder: Path) -> list[str]:
     """What below folder its manifest does not know; all of it when there is no manifest.
 
@@ -48,6 +57,8 @@ def strangers(folder: Path) -> list[str]:
             raise NotADirectoryError(ENOTDIR, os.strerror(ENOTDIR), str(folder))
         return []
     known = _known(folder / MANIFEST)
+    if known and is_page(folder / PAGE):
+        known.add(PAGE)
     return [path for path in (*read(folder), *_empty(folder, known)) if path not in known]
 
 
@@ -74,17 +85,20 @@ def _known(manifest: Path) -> set[str]:
 def replace(out: Path, folders: Mapping[str, Mapping[str, str]]) -> dict[str, bool]:
     """Make each out/NAME hold exactly its texts, all of them or none; OSError when it cannot.
 
+    A page of evidence is kept beside them.
     Returns whether each was changed: False where it held the same bytes already.
     """
     out.mkdir(parents=True, exist_ok=True)
     with _locked(out):
-        changed = {name: read(out / name) != dict(texts) for name, texts in folders.items()}
+        changed = {name: derived(out / name) != dict(texts) for name, texts in folders.items()}
         names = [name for name, is_changed in changed.items() if is_changed]
         if names:
             beside = Path(tempfile.mkdtemp(dir=out, prefix=PART[0], suffix=PART[1]))
             try:
                 for name in names:
-                    _fill(beside / "new" / name, folders[name])
+                    fill(beside / "new" / name, folders[name])
+                    if is_page(page := out / name / PAGE):
+                        shutil.copy2(page, beside / "new" / name / PAGE)
                 _swap(out, beside, names)
             finally:
                 shutil.rmtree(beside, ignore_errors=True)
@@ -146,11 +160,12 @@ def _swap(out: Path, beside: Path, names: list[str]) -> None:
         raise
 
 
-def _fill(folder: Path, texts: Mapping[str, str]) -> None:
+def fill(folder: Path, texts: Mapping[str, str]) -> None:
+    """Write texts below a folder."""
     for path, text in texts.items():
         place = folder / path
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(text.encode("utf-8"))
+        place.write_bytes(text.encode("utf-8", "surrogateescape"))
 
 
 def save(path: Path, text: str) -> None:

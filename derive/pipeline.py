@@ -189,7 +189,7 @@ def check(
     for vehicle in vehicles:
         expected = texts(vehicle, cached)
         with place.told(out, "a folder that can be read"):
-            drifts.append((vehicle, compare(expected, folder.read(out / vehicle.name))))
+            drifts.append((vehicle, compare(expected, folder.derived(out / vehicle.name))))
     return drifts
 
 

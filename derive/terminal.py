@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -86,6 +87,25 @@ def progress() -> Callable[[str], None]:
         click.echo(f"\r\x1b[K{doing}", err=True, nl=False)
 
     return show
+
+
+def spelled(command: str, files: Sequence[str], out: Path) -> str:
+    """The command line that does this to these vehicle files."""
+    option = [] if out == GENERATED else ["--out", str(out)]
+    return shlex.join(["derive", command, *files, *option])
+
+
+def stale(vehicles: Sequence[Vehicle], out: Path) -> list[str]:
+    """A line for every page of evidence that speaks of other code than it lies beside."""
+    from derive import dossier
+
+    found = []
+    for vehicle in vehicles:
+        page = dossier.page_of(out / vehicle.name)
+        if reason := dossier.stale(out / vehicle.name):
+            renewal = spelled("evidence", [vehicle.source], out)
+            found.append(f"stale {page}: {reason}; renew with: {renewal}")
+    return found
 
 
 def warn(written: Sequence[Written]) -> None:

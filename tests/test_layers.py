@@ -23,12 +23,14 @@ LAYER = {
     "derive.course": "derive.pipeline",
     "derive.crew": "derive.pipeline",
     "derive.demand": "derive.pipeline",
+    "derive.dossier": "derive.pipeline",
     "derive.flight": "derive.pipeline",
     "derive.comparison": "derive.pipeline",
     "derive.simulation": "derive.pipeline",
     "derive.sweep_folder": "derive.pipeline",
     "derive.selftest": "derive.pipeline",
     "derive.theory": "derive.pipeline",
+    "derive.cli_evidence": "derive.cli",
     "derive.cli_loop": "derive.cli",
     "derive.cli_simulate": "derive.cli",
     "derive.cli_sweep": "derive.cli",
@@ -68,7 +70,7 @@ OWN = {
     "derive.cli": (
         *("derive.pipeline", "derive.explanation", "derive.place", "derive.theory"),
         *("derive.campaign", "derive.comparison", "derive.crew", "derive.demand", "derive.flight"),
-        *("derive.simulation", "derive.sweep_folder"),
+        *("derive.dossier", "derive.simulation", "derive.sweep_folder"),
         "derive.vehicle",
     ),
 }

@@ -67,6 +67,8 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
     main = declared(parts.main, True) or {}
     main.update(symbol=CORE, public_writes=["command"])
     more = _margins(main, facts, parts.drift is not None)
+    near = next(out for out in main["outputs"] if out["member"] == "clearance")
+    has_cut = not near["entries"][0][0].isdigit()
     public = [declared(d, True) for d in parts.public]
     inner = [declared(d) for d in parts.inner]
     whole = [parts.main, *parts.public, *parts.inner]
@@ -79,6 +81,8 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         "core": declared(parts.law),
         "drift": declared(parts.drift),
         "margins": more,
+        "has_cut": has_cut,
+        "bounds": _bounds(main, facts, has_drift=parts.drift is not None, has_cut=has_cut),
         "kernels": kernels(whole, dialect.scalar),
         "structs": _structs(main, more),
         "command": [out for out in main["outputs"] if out["holder"] == "command"],
@@ -124,6 +128,24 @@ def _margins(main: Printed, facts: Mapping[str, Any], has_drift: bool) -> list[P
     found += [("max_drift", 1, "1", drift, True)] if has_drift else []
     names = ("member", "size", "unit", "doc", "is_scalar")
     return [{**dict(zip(names, one, strict=True)), "holder": "params"} for one in found]
+
+
+def _bounds(
+    main: Printed, facts: Mapping[str, Any], *, has_drift: bool, has_cut: bool
+) -> list[str]:
+    """Names of the constants that the guard of such a vehicle reads."""
+    needs = {
+        "MAX_INPUT": True,
+        "MAX_ENTRY": any(facts["is_bounded"]),
+        "MAX_REACH": not all(facts["is_bounded"]),
+        "MOST_DRIFT": has_drift,
+        "NEAR_CUT": has_cut,
+        "REFUSED_CUT": facts["is_pole"],
+        "MAX_PARAM": True,
+        "MIN_GAIN": True,
+        "MAX_RATE": any(one["unit"] == "1/s" for one in main["inputs"]),
+    }
+    return [name for name, is_needed in needs.items() if is_needed]
 
 
 def _structs(main: Printed, more: Sequence[Printed]) -> list[Printed]:

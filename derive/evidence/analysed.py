@@ -13,7 +13,7 @@ MARK = "Frama_C_show_each_reached();"
 _COMPARED = re.compile(r"\bfabsf?(\((?:[^()]|\([^()]*\))*\))(\s*<=)")
 _ENDS = (";", "{", "}")
 _OPENS_NONE = re.compile(r"[}{]|else\b|case\b|default\b")
-_NAMED = re.compile(r"(?![\s#/]|typedef\b|extern\b)[\w\s*]*?\b(\w+)\(")
+_NAMED = re.compile(r"(?!\s*[#/*]|typedef\b|extern\b)[\w\s*]*?\b(\w+)\(")
 
 
 def analysed(source: str, is_marked: bool = True) -> str:

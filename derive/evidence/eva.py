@@ -19,14 +19,12 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from derive.emit.render import environment
-from derive.emit.status import FIRST_BAD, STATUSES
 from derive.evidence.analysed import analysed, places, statements
 from derive.evidence.emitted import Emitted
-from derive.evidence.interface import Interface, Member, interface
-from derive.evidence.quaternion import boxes, is_sliced
+from derive.evidence.entry import ANY_BITS, IN_RANGE, SLICED, Start, driver_of
+from derive.evidence.interface import interface
+from derive.evidence.quaternion import is_sliced
 from derive.evidence.tool import Tool, run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
@@ -35,16 +33,15 @@ FRAMA_C = Tool("frama-c", "apt-get install frama-c-base")
 SECONDS = 300.0
 """One run has to be done by then; it takes 1 to 5."""
 
-SUBDIVIDED = ("-eva-subdivide-non-linear", "4")
-"""x * x is not negative: what the boxes need."""
-
 OPTIONS = (
     *("-eva", "-eva-domains", "equality", "-eva-auto-loop-unroll", "64"),
     *("-eva-slevel", "0", "-eva-slevel-function", "eva_finite:9,eva_nan:9"),
     *("-eva-partition-history", "2", "-eva-interprocedural-history"),
+    *("-eva-subdivide-non-linear", "4"),
     *("-eva-split-return", "full", "-eva-warn-key", "builtins:override=inactive"),
 )
-"""A state is kept apart by the last two branches it took: that is what follows |x| <= limit."""
+"""A state is kept apart by the last two branches it took: that is what follows |x| <= limit; and
+x * x is taken apart into pieces, so that it is not negative."""
 
 TRUSTED = ("Frama_C_", "eva_has_")
 """Functions without a body, whose specification is taken for granted."""
@@ -52,19 +49,6 @@ TRUSTED = ("Frama_C_", "eva_has_")
 PROVED = ("Valid", "Considered valid", "Dead", "Unreachable")
 ALARM, ASSERTION = "alarm", "user assertion"
 _REACHED = re.compile(r"source\.c:(\d+): *\n? *Frama_C_show_each_reached")
-
-
-@dataclass(frozen=True)
-class Start:
-    """Where a run begins. floats: what Eva takes for an alarm among them"""
-
-    function: str
-    floats: str
-
-
-ANY_BITS = Start("any_bits", "none")
-IN_RANGE = Start("in_range", "non-finite")
-SLICED = Start("sliced", "non-finite")
 
 
 @dataclass(frozen=True)
@@ -132,11 +116,7 @@ def ran(emitted: Emitted, source: str, start: Start) -> Found:
         folder = Path(name)
         text = analysed(source, is_marked=start is ANY_BITS)
         (folder / "source.c").write_text(text, encoding="utf-8")
-        driver = (
-            environment()
-            .get_template("evidence/eva.c.jinja")
-            .render(_context(emitted, source, start))
-        )
+        driver = driver_of(emitted, start)
         (folder / "driver.c").write_text(driver, encoding="utf-8")
         include = f"-cpp-extra-args=-I{emitted.include.absolute()}"
         floats = ("-warn-special-float", start.floats)
@@ -144,7 +124,6 @@ def ran(emitted: Emitted, source: str, start: Start) -> Found:
         command += [
             *floats,
             *OPTIONS,
-            *(SUBDIVIDED if start is SLICED else ()),
             "-then",
             "-report-csv",
             str(folder / "found.csv"),
@@ -187,72 +166,3 @@ def _check(
 ) -> Check:  # fmt: skip
     first = found[0] if found else ""
     return Check(name, subject, float(len(found)), LIMITS[f"eva, {limit}"], samples, first, found)
-
-
-def _context(emitted: Emitted, source: str, start: Start) -> dict[str, Any]:
-    """What the template lays out."""
-    face = interface(emitted)
-    pointers = {"params": "&params", "command": "&command"}
-    pointers |= {name: f"&{name}" for name in face.inputs}
-    params, checked = face.structs["params"], emitted.source.read_text(encoding="utf-8")
-    return {
-        "prefix": emitted.prefix,
-        "macro": emitted.macro,
-        "real": face.real,
-        "source": "source.c",
-        "is_strict": start.floats != "none",
-        "inputs": face.inputs,
-        "structs": face.structs,
-        "members": face.members(*face.inputs),
-        "parameters": [_ranged(one, emitted, checked) for one in params],
-        "limit": next((one for one in params if one.name == "force_limit"), None),
-        "command": face.structs["command"],
-        "control": face.call("control", pointers),
-        "others": _others(face, pointers),
-        "law": _law(emitted, source) if start is SLICED else "",
-        "boxes": boxes(emitted.scalar) if start is SLICED else (),
-        "statuses": [value for _, value, _ in STATUSES],
-        "first_bad": FIRST_BAD,
-        "bad_params": next(value for name, value, _ in STATUSES if name == "BAD_PARAMS"),
-    }
-
-
-def _ranged(one: Member, emitted: Emitted, source: str) -> tuple[Member, str, str]:
-    """A member of params with the least and the largest value that check_params lets pass.
-
-    A force limit is the default one: that the force keeps to it is shown for no other.
-    """
-    if one.name == "force_limit":
-        return one, f"{emitted.prefix}_defaults.{one.name}" + "[i]" * one.is_array, ""
-    if re.search(rf"inspect\(params->{one.name}, {one.count}, {emitted.macro}_MAX_PARAM\)", source):
-        return one, f"-{emitted.macro}_MAX_PARAM", f"{emitted.macro}_MAX_PARAM"
-    field = rf"params->{one.name}(?:\[i\])?"
-    found = re.search(rf"{field} >=?\s+(\S+) &&\s+{field} <=\s+(\w+)", source)
-    if not found:
-        raise ValueError(f"{emitted.source.name}: check_params looks at no range of {one.name}")
-    return one, found[1], found[2]
-
-
-def _others(face: Interface, pointers: dict[str, str]) -> tuple[str, ...]:
-    """Calls of the public routines besides control and check_params; arrays are of the command."""
-    prefix = f"{face.emitted.prefix}_"
-    arrays = {True: "command.force", False: "command.s"}
-    return tuple(
-        f"{one.symbol}("
-        + ", ".join(
-            pointers.get(p.type.removeprefix(prefix)) or arrays[p.is_input] for p in one.parameters
-        )
-        + ")"
-        for name, one in face.routines.items()
-        if name not in ("control", "check_params")
-    )
-
-
-def _law(emitted: Emitted, source: str) -> str:
-    """A call of the law past the error, whose entries come by value."""
-    found = re.search(rf"\b{emitted.prefix}_law\(([^)]*)\)\s*\{{", source)
-    if not found:
-        raise ValueError(f"{emitted.source.name}: there is no {emitted.prefix}_law")
-    names = [one.split("*")[-1].split()[-1] for one in found[1].split(",")]
-    given = [name if name.startswith("g_e") else f"&{name}" for name in names]
-    return f"{emitted.prefix}_law({', '.join(given)})"

@@ -16,7 +16,7 @@ from derive.evidence.emitted import Emitted
 from derive.evidence.interface import interface
 from derive.evidence.tool import Tool, ToolFailed, run
 from derive.verify.check import Check
-from derive.verify.limits import LIMITS
+from derive.verify.limits import LIMITS, published
 from derive.verify.plant import Plant
 
 GCC = Tool("gcc", "apt install gcc")
@@ -86,8 +86,11 @@ def flips(emitted: Emitted, plant: Plant, folder: Path) -> Flips:
     )
 
 
-def flip(emitted: Emitted, plant: Plant, folder: Path) -> tuple[Check, ...]:
-    """Promises broken by a flip, none allowed; the rates of detection are in the details."""
+def flip(emitted: Emitted, plant: Plant, folder: Path) -> tuple[Check, Check]:
+    """Promises broken by a flip, none allowed; and of harmful flips the share that is not found.
+
+    The rates by member are in the details.
+    """
     known, found = interface(emitted), flips(emitted, plant, folder)
     inputs = found.over("state and reference", *(f"{name}." for name in known.inputs))
     params = found.over("params", "params.")
@@ -97,5 +100,9 @@ def flip(emitted: Emitted, plant: Plant, folder: Path) -> tuple[Check, ...]:
             LIMITS["attack"], inputs.tried + params.tried,
             found.first[0] if found.first else "",
             (*map(str, (inputs, *found.tallies)), *found.first),
+        ),
+        Check(
+            "bit flips: harmful, not found", emitted.prefix, 100 * (1 - inputs.rate),
+            published("%"), inputs.harmful, inputs.member,
         ),
     )  # fmt: skip

@@ -38,6 +38,12 @@ controller = "{controller}"  # one of: {controllers}
 [gains]  # 1/s
 {gains}
 
+# What the actuators give, and how far from the group a measured error may be.
+# [limits]
+# force = 0.005  # N m and N, either way, one for all coordinates or an array; no limit without
+# saturation = "direction"  # where the force points stays; "axis" cuts each coordinate by itself
+# drift = 1e-4  # left out: 1e-4 in float, 1e-6 in double
+
 [emit]
 scalars = {scalars}  # float, double
 targets = {targets}

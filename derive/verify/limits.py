@@ -78,6 +78,7 @@ _TABLE = (
     Limit("kernel proof", 1, "times", "an error that was found over the bound that was proved"),
     Limit("findings", 0, "findings", "what a tool may find against the rules, or a rule without"),
     Limit("loop", 1e-8, "relative", "W against W(0) exp(-2 k_s t) over 8 s, every group"),
+    Limit("runs", 0, "runs", "of a tool that broke down, or did not end in time"),
     Limit("images", 0, "images", "that could not be built, or did not run to their end"),
     Limit("clock", 0, "instructions", "that a routine of known length is counted wrong by"),
     Limit("painted", 0, "B", "that a painted stack shows beyond the static bound"),

@@ -72,7 +72,7 @@ def chained(group: str, name: str) -> Derivation:
     cover = write(d.let, g)
     law = LAWS[group, name].write
     assert isinstance(law, Quaternion)
-    factor = law.factor(d.let, cover.w, cover.v)
+    factor = law.factor(d.let, cover)
     value = d.let("value", 2 * factor * cover.v, "rad", "")
     d.give(quantity("rate", 3), rate(d, value, cover.rate(d.let, nu)))
     return d.pruned()

@@ -131,7 +131,9 @@ def test_each_controller_has_its_routines(group: str, name: str, controller: str
     names = [d.name for d in (parts.main, *parts.public, *parts.inner)]
     assert len(set(names)) == len(names)
     assert {"plant", "definiteness", "reaching"} <= set(names)
-    assert ("residual" in names) == (group not in ("R1", "R3", "R6", "GL2"))
+    assert (parts.guard.drift is None) == (group in ("R1", "R3", "R6", "GL2"))
+    assert (parts.guard.error is None) == (controller == "reaching")
+    assert {q.name for q, _ in parts.guard.law.outputs} == OUTPUTS | {"clearance"}
     assert parts.main.name == {"gsmc": "tracking", "reaching": "reaching"}[controller]
 
 

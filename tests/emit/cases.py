@@ -13,7 +13,7 @@ from tests.emit import elements
 from tests.emit.elements import AXES, PI, Array, element
 from tests.emit.subjects import group
 
-OK, NEAR, OFF, RANGE, NONFINITE = 0, 2, 16, 17, 18
+OK, SATURATED, NEAR, OFF, RANGE, NONFINITE = 0, 1, 2, 16, 17, 18
 
 Row = dict[str, Array]
 
@@ -51,15 +51,24 @@ def good(vehicle: Vehicle, seed: int = 1, angle: float = 1.0) -> Row:
     return row | {name: random.normal(size=known.dim) for name in names}
 
 
-def residual(vehicle: Vehicle) -> Callable[[Array], float]:
-    """The largest deviation from the group of stored numbers, as the group defines it."""
+def distance(vehicle: Vehicle) -> Callable[[Array], float]:
+    """The distance of stored numbers from the group, by the equations that define it."""
     known = group(vehicle)
     stored = sympy.Matrix(sympy.symbols(f"g:{known.size}"))
     value = known.residual(stored)
     if not value:
         return lambda g: 0.0
     run = sympy.lambdify(list(stored), list(value), "math")
-    return lambda g: max(map(abs, run(*g)))
+    return lambda g: float(np.linalg.norm(run(*g)))
+
+
+def divides(vehicle: Vehicle) -> bool:
+    """Whether an inverse of stored numbers divides by some of them."""
+    known = group(vehicle)
+    stored = sympy.Matrix(sympy.symbols(f"g:{known.size}"))
+    return any(
+        sympy.denom(sympy.together(x)).free_symbols for x in known.inverse(known.embed(stored))
+    )
 
 
 def put(row: Row, field: str, index: int, value: float) -> Row:
@@ -68,15 +77,20 @@ def put(row: Row, field: str, index: int, value: float) -> Row:
     return {**row, field: changed}
 
 
-def cases(vehicle: Vehicle, limits: dict[str, float]) -> Iterator[Case]:
-    """Every case of a vehicle; limits are the constants of its header."""
+def cases(vehicle: Vehicle, limits: dict[str, float], drift: float) -> Iterator[Case]:
+    """Every case of a vehicle; limits are the constants of its header, drift its default.
+
+    OK stands for SATURATED too, where the law asks for more than the vehicle has.
+    """
     row = good(vehicle)
     yield Case("good", row, OK)
     yield from _single(row, limits["MAX_INPUT"])
-    yield from _drifted(vehicle, row, limits["MAX_DRIFT"])
+    yield from _drifted(vehicle, row, drift)
     yield from _ranked(row, limits["MAX_INPUT"])
+    yield from _scaled(vehicle, row, drift)
+    yield from _far(vehicle, row, limits)
     if cut := elements.cut(group(vehicle), vehicle.law):
-        yield from _cut(vehicle, *cut, limits)
+        yield from _cut(vehicle, *cut, limits, drift)
     else:
         for angle in (PI, 2 * PI) if elements.turner(group(vehicle)) is not None else ():
             yield Case(f"no cut at {angle:.2f}", good(vehicle, angle=angle), OK)
@@ -96,7 +110,7 @@ def _single(row: Row, limit: float) -> Iterator[Case]:
 
 def _drifted(vehicle: Vehicle, row: Row, limit: float) -> Iterator[Case]:
     """Scaled until the group's own measure is at the limit; and what is far off."""
-    size = residual(vehicle)
+    size = distance(vehicle)
     for field in (name for name in row if name.startswith("g")):
         g = row[field]
         for sign in (1, -1):
@@ -107,8 +121,9 @@ def _drifted(vehicle: Vehicle, row: Row, limit: float) -> Iterator[Case]:
                 factor = 1 + sign * part * limit / slope
                 yield Case(f"{field} times {factor}", {**row, field: g * factor}, status)
         for name, far in (("zero", 0 * g), ("doubled", 2 * g), ("inverted", -g)):
-            if size(far) > 0.01:
-                yield Case(f"{field} {name}", {**row, field: far}, OFF)
+            if size(far) > 0.01:  # what has no inverse is infinitely far from anything
+                status = RANGE if (field, name) == ("g_r", "zero") and divides(vehicle) else OFF
+                yield Case(f"{field} {name}", {**row, field: far}, status)
         for k in range(len(g)):
             if size(put(row, field, k, 1.5)[field]) > 0.01:
                 yield Case(f"{field}[{k}] = 1.5", put(row, field, k, 1.5), OFF)
@@ -130,13 +145,33 @@ def _ranked(row: Row, limit: float) -> Iterator[Case]:
         yield Case(f"not finite, {field} far", put(late, field, 0, 2 * limit), NONFINITE)
 
 
-def _cut(vehicle: Vehicle, angle: float, is_pole: bool, limits: dict[str, float]) -> Iterator[Case]:
+def _scaled(vehicle: Vehicle, row: Row, drift: float) -> Iterator[Case]:
+    """Both configurations scaled: the error alone decides, and it is the same where they cancel."""
+    if "g_r" not in row or not elements.is_compact(group(vehicle)):
+        return
+    for factor in (0.5, 4.0):
+        both = {**row, "g": row["g"] * factor}
+        yield Case(f"scaled by {factor}, oppositely", {**both, "g_r": row["g_r"] / factor}, OK)
+        yield Case(f"scaled by {factor}, alike", {**both, "g_r": row["g_r"] * factor}, OFF)
+        yield Case(f"scaled by {factor}, one of them", both, OFF)
+
+
+def _far(vehicle: Vehicle, row: Row, limits: dict[str, float]) -> Iterator[Case]:
+    """Numbers that the group lets grow, in both configurations alike, so that the error stays."""
+    for index in elements.grows(group(vehicle)):
+        for part, status in ((0.9, OK), (1.1, RANGE)):
+            far = put(row, "g", index, part * limits["MAX_INPUT"])
+            if "g_r" in row:
+                far = put(far, "g_r", index, part * limits["MAX_INPUT"])
+            yield Case(f"[{index}] at {part} of the largest", far, status)
+
+
+def _cut(
+    vehicle: Vehicle, angle: float, is_pole: bool, limits: dict[str, float], drift: float
+) -> Iterator[Case]:
     """A little before the cut, and at it."""
     row, known = good(vehicle), group(vehicle)
-    near, fine = (
-        limits["NEAR_CUT"],
-        limits["MAX_DRIFT"] / 100,
-    )  # a law without a pole refuses nothing
+    near, fine = limits["NEAR_CUT"], drift / 100  # a law without a pole refuses nothing
     refused = limits.get("REFUSED_CUT", fine)
     steps = [(1.5 * near, OK), (0.5 * near, NEAR)]
     if refused < 1e-7:  # finer than the entries of a float matrix resolve
@@ -151,6 +186,6 @@ def _cut(vehicle: Vehicle, angle: float, is_pole: bool, limits: dict[str, float]
         yield Case(f"at the cut, {stored}", at, RANGE if is_pole else NEAR)
         beyond = put(at, "nu", 0, 2 * limits["MAX_INPUT"])
         yield Case(f"out of range at the cut, {stored}", beyond, RANGE)
-        drifted = stored * (1 + 2 * limits["MAX_DRIFT"])
-        if residual(vehicle)(drifted) > 1.5 * limits["MAX_DRIFT"]:
+        drifted = stored * (1 + 2 * drift)
+        if distance(vehicle)(drifted) > 1.5 * drift:
             yield Case(f"off the group at the cut, {stored}", {**at, "g": drifted}, OFF)

@@ -151,6 +151,25 @@ def _ends(one: Group, angle: float) -> list[Array]:
     return [_moved(one, turn, np.random.default_rng(1)) for turn in turns]
 
 
+def is_compact(group: Group) -> bool:
+    """Whether every element is a rotation or a unit quaternion, which no factor can stretch."""
+    return all(one.name in ("S3", "SO2", "SO3") for one in parts(group))
+
+
+def grows(group: Group) -> list[int]:
+    """Places of translations and of coordinates of R^n, which an element may have of any size."""
+    found, start = [], 0
+    for one in parts(group):
+        size = TURNED.get(one.name) if one.name not in BASES else None
+        if len(one.shape) == 1 and one.name != "S3":
+            found += range(start, start + one.size)
+        elif size:
+            m = one.basis[0].rows
+            found += [start + i * m + j for i in range(size) for j in range(size, m)]
+        start += one.size
+    return found
+
+
 def mirrors(group: Group, g: Array) -> list[Array]:
     """Each factor that is a rotation reflected in its first axis."""
     found, start = [], 0

@@ -1,7 +1,7 @@
 /*
  * Calls `control` on bit patterns from a fixed seed and judges what comes back by itself.
- * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, FIELDS, ROWS, HAS_REFERENCE and HAS_RESIDUAL come from
- * the command line, ELEMENTS and their number from elements.h. Prints how often a status came back.
+ * HEADER, PREFIX, MACRO, REAL, BITS, STORED, DIM, FIELDS, ROWS, HAS_REFERENCE, HAS_RESIDUAL and
+ * HAS_LIMIT come from the command line, ELEMENTS and their number from elements.h. Prints how often a status came back.
  */
 #include <math.h>
 #include <stdint.h>
@@ -116,14 +116,32 @@ static int called(const input *in, NAME(command) *command)
 #endif
 }
 
+/* A force is within its limits; it is at one of them where it was cut. */
+static int is_cut_wrong(int status, const NAME(command) *command)
+{
+#if HAS_LIMIT
+    int i, at = 0, wrong = 0;
+    for (i = 0; i < DIM; i++) {
+        const double size = fabs((double)command->force[i]);
+        const double limit = (double)NAME(defaults).force_limit[i];
+        wrong |= !(size <= limit);
+        at |= size >= limit * (1 - 1e-6);
+    }
+    return wrong || (status == 1 && !at);
+#else
+    (void)command;
+    return status == 1; /* nothing saturates */
+#endif
+}
+
 static int is_wrong(const input *in, int status, const NAME(command) *command)
 {
     REAL out[COMMAND];
     const int found = judged(in);
     const int last = HAS_RESIDUAL ? 17 : 18; /* what no residual bounds may overflow */
     int wrong = found ? status != found : status > last || (status > 2 && status < 16);
-    wrong |= status == 1; /* nothing saturates */
     int i;
+    wrong |= is_cut_wrong(status, command);
     memcpy(out, command, sizeof out);
     for (i = 0; i < COMMAND; i++) {
         wrong |= !isfinite(out[i]) || (status >= 16 && out[i] != 0);

@@ -44,9 +44,9 @@ def package(name: str, scalar: str, folder: Path) -> Emitted:
 
 
 def inject(emitted: Emitted, routine: str, statement: str) -> Emitted:
-    """Put a statement at the head of a routine."""
+    """Put a statement at the head of a routine: of a law, where what follows the error begins."""
     text = emitted.source.read_text(encoding="utf-8")
     mark = f"    /* -- {routine} -- */\n"
-    assert text.count(mark) == 1
-    emitted.source.write_text(text.replace(mark, f"    {statement}\n{mark}"), encoding="utf-8")
+    assert mark in text
+    emitted.source.write_text(text.replace(mark, f"    {statement}\n{mark}", 1), encoding="utf-8")
     return emitted

@@ -32,8 +32,11 @@ def flips(emitted: Emitted, folder: Path) -> flip.Flips:
 def test_no_flip_breaks_a_promise(tmp_path: Path, name: str, scalar: str) -> None:
     attacked.need(flip.GCC)
     emitted = attacked.package(name, scalar)
-    (check,) = flip.flip(emitted, attacked.plant(name), tmp_path)
+    check, missed = flip.flip(emitted, attacked.plant(name), tmp_path)
     assert check.is_ok, check.details
+    found, harmful = map(int, re.findall(r"(\d+) of (\d+) harmful", check.details[0])[0])
+    assert missed.measured == pytest.approx(100 * (harmful - found) / harmful)
+    assert (missed.samples, missed.limit.is_promised) == (harmful, False)
     params = sum(one.count for one in interface(emitted).structs["params"])
     assert check.samples == BITS[scalar] * (NUMBERS[name] * COUNT + params)
     assert check.details[0].startswith("state and reference: ")
@@ -71,7 +74,7 @@ def test_a_planted_defect_is_found(
 ) -> None:
     attacked.need(flip.GCC)
     monkeypatch.setenv("DEFECT", defect)
-    (check,) = flip.flip(spoilt, attacked.plant("paper_so3"), tmp_path)
+    check, _ = flip.flip(spoilt, attacked.plant("paper_so3"), tmp_path)
     assert not check.is_ok
     assert SPOILT[defect] in check.worst
 
@@ -93,7 +96,7 @@ def test_a_case_that_is_refused_is_no_good_case(
     monkeypatch.setattr("derive.evidence.driver.good", lambda *_: ["{ { { 2 } } }"])
     attacked.need(flip.GCC)
     plant = attacked.plant("paper_so3")
-    (check,) = flip.flip(attacked.package("paper_so3", "f32"), plant, tmp_path)
+    check, _ = flip.flip(attacked.package("paper_so3", "f32"), plant, tmp_path)
     assert check.measured == 1
     assert check.worst == "CASE 0 is refused with 16"
 

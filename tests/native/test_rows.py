@@ -40,7 +40,10 @@ def library(name: str, scalar: str, folder: Path) -> Library:
 
 
 def fill(rows: Rows, group: str, seed: int) -> None:
-    """Random numbers everywhere but in the parameters, the third row off the group."""
+    """Random numbers everywhere but in the parameters, the third row off the group.
+
+    Even rows have a force limit that is never met, where there is one.
+    """
     random, space = np.random.default_rng(seed), algebra(group)
     for struct, buffer in rows.inputs.items():
         for name in keys(buffer) if struct != "params" else ():
@@ -49,6 +52,8 @@ def fill(rows: Rows, group: str, seed: int) -> None:
                 turns = random.uniform(-0.7, 0.7, (COUNT, space.dim))
                 buffer[name] = space.store(exp(space.hat(turns)))
                 buffer[name][3, 0] += 2.0
+    if "force_limit" in keys(rows.inputs.get("params", np.empty(0))):
+        rows.inputs["params"]["force_limit"][::2] = 1e8
 
 
 def keys(buffer: NDArray[Any]) -> tuple[str, ...]:
@@ -79,6 +84,8 @@ def test_rows_are_the_calls_bit_for_bit(name: str, routine: str, scalar: str, fo
     if routine == "control":
         assert rows.results[3] == 16
         assert 0 in rows.results
+        assert (1 in rows.results) == bool(VEHICLES[name].limits.force)
+        assert not (rows.results[::2] == 1).any()
 
 
 @pytest.mark.parametrize("scalar", ["f32", "f64"])

@@ -117,3 +117,102 @@ def test_it_evaluates_to_the_digits_asked_for() -> None:
         found, plain = d.evaluate(values, 80)["out"]
         assert abs(found + sign * sympy.sqrt(2).evalf(90)) < Rational(1, 10**78)
         assert abs(plain - 5) < Rational(1, 10**78)
+
+
+# A derivation in two parts.
+
+
+def whole() -> Derivation:
+    """b = a x_0, mid = (b + x_1, 2, b x_2), out = (mid_0 mid_2 + y, mid_1), with a spare step."""
+    d, a, x = begun()
+    y = d.take(quantity("y"))
+    b = d.let("b", a * x[0], "m", "before", "eq. (B)")
+    mid = d.let("mid", Matrix([b + x[1], 2, b * x[2]]), "rad", "between", "eq. (Mid)")
+    d.let("spare", mid[0] * 3, "1", "needed by none")
+    last = d.let("last", mid[0] * mid[2] + y, "1", "after")
+    d.give(quantity("out", 2), Matrix([last, mid[1]]))
+    return d
+
+
+def test_two_parts_give_what_the_whole_gives() -> None:
+    d = whole()
+    head, tail = d.parted("mid")
+    names = [symbol for q in d.inputs for symbol in q.symbols()]
+    values = dict(zip(names, map(Rational, ("2/3", "5", "-7", "11", "1/13")), strict=True))
+    ((quantity_, entries),) = head.outputs
+    passed = dict(zip(quantity_.symbols(), head.evaluate(values, 60)["mid"], strict=True))
+    assert len(entries) == 3
+    assert set(passed) == {Symbol(f"mid_{i}", real=True) for i in range(3)}
+    given = {name: value for name, value in values.items() if str(name) == "y"}
+    for found, known in zip(
+        tail.evaluate(given | passed, 60)["out"], d.evaluate(values, 60)["out"], strict=True
+    ):
+        assert abs(found - known) < Rational(1, 10**55)
+        assert found != 0
+
+
+def test_each_part_takes_what_it_needs_and_says_what_the_whole_says() -> None:
+    d = whole()
+    head, tail = d.parted("mid")
+    assert [q.name for q in head.inputs] == ["a", "x"]
+    assert [q.name for q in tail.inputs] == ["y", "mid"]
+    passed = tail.inputs[-1]
+    assert (passed, passed.place) == (head.outputs[0][0], "mid")
+    assert (passed.unit, passed.doc, passed.source) == ("rad", "between", "eq. (Mid)")
+    assert [s.quantity.name for s in head.steps] == ["b", "mid"]
+    assert [s.quantity.name for s in tail.steps] == ["spare", "last"]
+    assert tail.outputs == d.outputs
+    for part in (head, tail):
+        assert (part.name, part.doc, part.source) == (d.name, d.doc, d.source)
+    assert len(d.inputs) == 3
+    assert len(d.steps) == 4
+
+
+def test_a_head_computes_only_what_it_passes_on() -> None:
+    d, a, x = begun()
+    y = d.let("y", a * x, "1", "needed in part")
+    d.let("mid", Matrix([y[1] + 1]), "1", "between")
+    d.give(quantity("out"), d.let("last", y[0] + a, "1", ""))
+    head, tail = d.parted("mid")
+    assert [str(symbol) for symbol, _ in head.terms()] == ["y_1", "mid_0"]
+    assert [q.name for q in tail.inputs] == ["a", "mid"]
+    with pytest.raises(KeyError, match="lost"):
+        head.step("lost")
+
+
+def test_what_is_an_earlier_name_cannot_be_passed_on() -> None:
+    d, a, x = begun()
+    mid = d.let("mid", Matrix([x[0] + 1, a]), "1", "an input by another name")
+    d.give(quantity("out", 2), mid)
+    with pytest.raises(ValueError, match=r"sample: mid is made of \(mid_0, a\)"):
+        d.parted("mid")
+
+
+def test_a_name_that_no_step_has_parts_nothing() -> None:
+    with pytest.raises(ValueError, match="'other' is not in list"):
+        whole().parted("other")
+
+
+def test_needing_leaves_out_inputs_that_nobody_mentions() -> None:
+    d, a, x = begun()
+    d.give(quantity("out"), d.let("y", x[1] + 1, "1", ""))
+    assert [q.name for q in d.needing().inputs] == ["x"]
+    kept = d.needing(d.inputs[0])
+    assert [q.name for q in kept.inputs] == ["a", "x"]
+    assert (kept.steps, kept.outputs) == (d.steps, d.outputs)
+    assert [q.name for q in d.inputs] == ["a", "x"]
+    d.give(quantity("other"), a)
+    assert [q.name for q in d.needing().inputs] == ["a", "x"]
+
+
+def test_what_is_kept_stays_whole_with_all_that_it_is_made_of() -> None:
+    d, a, x = begun()
+    root = d.let("root", sympy.sqrt(a), "1", "needed by what is kept alone")
+    kept = d.let("kept", Matrix([root + x[0], x[1] * 2, 3]), "1", "read in part")
+    d.let("lost", x[2] + 1, "1", "needed by none")
+    d.give(quantity("out"), d.let("y", kept[1] + 1, "1", ""))
+    assert [str(s) for s, _ in d.pruned().terms()] == ["kept_1", "y"]
+    short = d.pruned(keep="kept")
+    assert [str(s) for s, _ in short.terms()] == ["root", "kept_0", "kept_1", "y"]
+    assert short.step("kept") == d.step("kept")
+    assert d.pruned(keep="nobody").steps == d.pruned().steps

@@ -17,6 +17,7 @@ k_s = 1
 """
 INERTIA = GOOD.splitlines()[2]
 HEAD = GOOD[: GOOD.index("[gains]")]
+PD_PLUS = f'controller = "pd_plus"\n{HEAD}[gains]\nk_R = 1\nk_Omega = 1000000.1\n'
 
 
 def written(folder: Path, text: str | bytes) -> Path:
@@ -156,10 +157,12 @@ BAD = [
     ("gain_minus_zero", with_gain("k_s = -0.0"), "gains.k_s", "greater than 0", "0", "k_s = 1.0"),
     ("gain_negative", with_gain("k_s = -2.5"), "gains.k_s", "greater than 0", "-2.5", "positive"),
     ("gain_nan", with_gain("k_s = nan"), "gains.k_s", "greater than 0", "nan", "k_s = 1.0"),
-    ("gain_inf", with_gain("k_s = +inf"), "gains.k_s", "at most 1000000", "+inf", "k_s = 1.0"),
-    ("gain_large", with_gain("k_s = 1000000.1"), "gains.k_s", "at most 1000", "1000000.1", "k_s"),
+    ("gain_inf", with_gain("k_s = +inf"), "gains.k_s", "at most 10000", "+inf", "k_s = 1.0"),
+    ("gain_large", with_gain("k_s = 10000.1"), "gains.k_s", "most 10000", "10000.1", "in 1/s"),
+    ("gain_of_energy", PD_PLUS, "k_Omega", "most 1000000", "1000000.1", "in N m s"),
     ("gain_exponent", with_gain("k_s = 1e999999999"), "gains.k_s", "at most", "1e999999999", "k_s"),
-    ("gain_tiny", with_gain("k_s = 1e-999999999"), "gains.k_s", "1e-30", "1e-999999999", "k_s"),
+    ("gain_small", with_gain("k_s = 9.9e-10"), "gains.k_s", "at least 1e-9", "9.9e-10", "k_s"),
+    ("gain_tiny", with_gain("k_s = 1e-999999999"), "gains.k_s", "1e-9", "1e-999999999", "k_s"),
     ("gain_long", with_gain("k_s = 0." + "3" * 300), "gains.k_s", "number", "0.333", "k_s"),
     ("gain_text", with_gain('k_s = "1.0"'), "gains.k_s", "a number", "the string '1.0'", "quotes"),
     ("gain_boolean", with_gain("k_s = true"), "gains.k_s", "a number", "boolean true", "quotes"),

@@ -2,12 +2,14 @@
 
 import json
 import re
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from derive.control.table import CONTROLLERS
+from derive.emit.target import SCALARS
 from derive.lie import basis
 from derive.vehicle import body as vehicle_body
 from derive.vehicle import check as vehicle_check
@@ -16,6 +18,7 @@ from derive.vehicle import experiment as vehicle_experiment
 from derive.vehicle import file as vehicle
 from derive.vehicle import group as vehicle_group
 from derive.vehicle import key as vehicle_key
+from derive.vehicle import limits as vehicle_limits
 from derive.vehicle import number as vehicle_number
 
 SCHEMA: dict[str, Any] = json.loads(
@@ -27,6 +30,7 @@ KEYS: dict[str, Any] = SCHEMA["properties"]
 TABLES = {
     "": (SCHEMA, vehicle_key.TOP_KEYS),
     "emit": (KEYS["emit"], vehicle_key.EMIT_KEYS),
+    "limits": (KEYS["limits"], vehicle_key.LIMIT_KEYS),
     "options": (KEYS["options"], vehicle_key.OPTION_KEYS),
     "reference": (KEYS["reference"], vehicle_key.REFERENCE_KEYS),
     "simulate": (KEYS["simulate"], vehicle_key.SIMULATE_KEYS),
@@ -101,6 +105,9 @@ def test_gains_are_those_of_each_controller() -> None:
     units = {name: tuple(gain.unit for gain in one.gains) for name, one in CONTROLLERS.items()}
     described = {name: rule["properties"].values() for name, rule in gains.items()}
     assert {name: tuple(g["description"] for g in of) for name, of in described.items()} == units
+    for gain in (gain for of in described.values() for gain in of):
+        is_rate = gain["description"] == vehicle_controller.RATE
+        assert gain["$ref"] == f"#/$defs/{'rate' if is_rate else 'gain'}"
 
     assert not any(rule["additionalProperties"] for rule in gains.values())
     is_implied = {  # a rule without "required" applies to a file that leaves the controller out
@@ -128,6 +135,9 @@ def test_bounds_are_those_of_the_reader() -> None:
     assert matrix["maxItems"] == row["maxItems"] == vehicle_number.LARGEST_DIMENSION
     assert row["items"]["maximum"] == -row["items"]["minimum"] == vehicle_number.LARGEST_ENTRY
     assert SCHEMA["$defs"]["gain"]["maximum"] == vehicle_controller.LARGEST_GAIN
+    assert SCHEMA["$defs"]["rate"]["maximum"] == vehicle_controller.LARGEST_RATE
+    for one in ("gain", "rate"):
+        assert SCHEMA["$defs"][one]["minimum"] == float(vehicle_controller.LEAST_GAIN)
     assert SCHEMA["$defs"]["positive"]["maximum"] == vehicle_number.LARGEST_ENTRY
     center = SCHEMA["$defs"]["body"]["properties"]["center"]["items"]
     assert center["maximum"] == -center["minimum"] == vehicle_body.LARGEST_ARM
@@ -135,6 +145,27 @@ def test_bounds_are_those_of_the_reader() -> None:
     assert KEYS["name"]["pattern"] == f"^{vehicle_check.NAME.pattern}$"
     for suffix in vehicle_check.SCALAR_SUFFIXES:
         assert re.search(KEYS["name"]["not"]["pattern"], "body" + suffix)
+
+
+def test_limits_are_those_of_the_reader() -> None:
+    keys = KEYS["limits"]["properties"]
+    force = SCHEMA["$defs"]["force"]
+    assert (force["minimum"], force["maximum"]) == bounds(vehicle_limits.LEAST, vehicle_limits.MOST)
+    one, each = keys["force"]["anyOf"]
+    assert one == each["items"] == {"$ref": "#/$defs/force"}
+    assert each["maxItems"] == vehicle_number.LARGEST_DIMENSION
+    drift = keys["drift"]["minimum"], keys["drift"]["maximum"]
+    assert drift == bounds(vehicle_limits.LEAST_DRIFT, vehicle_limits.MOST_DRIFT)
+    assert tuple(keys["saturation"]["enum"]) == vehicle_limits.WAYS
+    assert keys["saturation"]["default"] == vehicle_limits.WAYS[0]
+    assert KEYS["limits"]["dependentRequired"] == {"saturation": ["force"]}
+    assert {one.most_drift for one in SCALARS.values()} == {vehicle_limits.MOST_DRIFT}
+    told = [f"{float(one.max_drift):.0e}".replace("e-0", "e-") for one in SCALARS.values()]
+    assert f"{told[0]} in float and {told[1]} in double" in keys["drift"]["description"]
+
+
+def bounds(least: Fraction, most: Fraction) -> tuple[float, float]:
+    return float(least), float(most)
 
 
 def test_a_group_of_ones_own_is_bounded_as_by_the_reader() -> None:

@@ -17,7 +17,6 @@ MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
 MAX_REACH = 4.0e6  # of any other entry of the error
 MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
-REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
 MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
 MIN_GAIN = 1.0e-9  # least gain
 MAX_RATE = 1.0e4  # largest gain in 1/s
@@ -33,7 +32,8 @@ BAD_PARAMS = 19  # found by check_params
 BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH,
           MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_REACH, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY,
           MAX_ENTRY)  # of the error's entries
-FREE = np.array(BOUNDS) > MAX_ENTRY
+FREE = np.array([False, False, False, True, False, False, False, True, False, False, False, True,
+                  False, False, False, False])  # those that the group does not bound
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
@@ -250,8 +250,8 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     """The force within its limits, (..., 6), and OK, SATURATED or NONFINITE_INPUT, (...)."""
     size = np.abs(force)
     cut = force
-    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
-    usable = (np.isfinite(force) & (np.abs(cut) <= limit)).all(-1)
+    cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
+    usable = np.isfinite(force).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status

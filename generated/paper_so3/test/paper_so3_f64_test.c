@@ -1022,7 +1022,7 @@ static int is_told(const trial *one, paper_so3_f64_status wanted)
 static int number_failures(const trial *one, double *numbers, int count, double most)
 {
     const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*most, -2.0*(PAPER_SO3_F64_MAX_INPUT + PAPER_SO3_F64_MAX_REACH)
+        NOT_A_NUMBER, -INFINITE, 2.0*most, -2.0*(PAPER_SO3_F64_MAX_INPUT)
     };
     int failures = 0;
     int i;

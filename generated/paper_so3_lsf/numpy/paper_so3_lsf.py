@@ -14,10 +14,7 @@ import numpy as np
 
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
 MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
-MAX_REACH = 4.0e6  # of any other entry of the error
 MOST_DRIFT = 0.1  # largest max_drift that may be asked for
-NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
-REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
 MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
 MIN_GAIN = 1.0e-9  # least gain
 MAX_RATE = 1.0e4  # largest gain in 1/s
@@ -32,7 +29,8 @@ BAD_PARAMS = 19  # found by check_params
 
 BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY,
           MAX_ENTRY)  # of the error's entries
-FREE = np.array(BOUNDS) > MAX_ENTRY
+FREE = np.array([False, False, False, False, False, False, False, False,
+                  False])  # those that the group does not bound
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
@@ -95,12 +93,11 @@ def control(
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
         good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
         status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
-        near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
         refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)
         for rows in (given[3], given[4], given[5], given[6], given[7]):
             refused = np.maximum(refused, _judge(rows))
-        status = np.where(good, np.maximum(status, near), refused)
+        status = np.where(good, status, refused)
     bad = (status >= 16)[..., None]
     return Command(*(np.where(bad, 0.0, one) for one in command), status)
 

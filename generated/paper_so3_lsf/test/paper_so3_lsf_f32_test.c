@@ -890,8 +890,7 @@ static int is_told(const trial *one, paper_so3_lsf_f32_status wanted)
 static int number_failures(const trial *one, float *numbers, int count, float most)
 {
     const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(PAPER_SO3_LSF_F32_MAX_INPUT +
-                PAPER_SO3_LSF_F32_MAX_REACH)
+        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(PAPER_SO3_LSF_F32_MAX_INPUT)
     };
     int failures = 0;
     int i;

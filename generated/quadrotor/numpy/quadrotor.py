@@ -14,7 +14,6 @@ import numpy as np
 
 MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
 MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
-MAX_REACH = 4.0e6  # of any other entry of the error
 MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
 REFUSED_CUT = 1.0e-8  # clearance below which a law with a pole is refused
@@ -31,7 +30,7 @@ NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite
 BAD_PARAMS = 19  # found by check_params
 
 BOUNDS = (MAX_ENTRY, MAX_ENTRY, MAX_ENTRY, MAX_ENTRY)  # of the error's entries
-FREE = np.array(BOUNDS) > MAX_ENTRY
+FREE = np.array([False, False, False, False])  # those that the group does not bound
 CHUNK = 4096  # rows computed together, so that their temporaries stay in the cache
 Array = Any  # a numpy array, or what np.asarray makes one of
 
@@ -249,8 +248,8 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     size = np.abs(force)
     share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
     cut = force * share
-    cut = np.where(cut > limit, limit, np.where(cut < -limit, -limit, cut))
-    usable = ((np.abs(cut) <= limit)).all(-1)
+    cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
+    usable = np.isfinite(force).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status

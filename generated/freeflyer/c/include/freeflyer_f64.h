@@ -9,11 +9,12 @@
  * - Frames: velocities and forces are in the body frame; the reference's in the reference's own.
  * - Configuration g: matrix of 4 rows, row by row.
  * - Pointers: never null; each to a whole struct, or to as many numbers as stand in the brackets,
- *   aligned as its type; what is written may not overlap what is read.
+ *   aligned as its type; what is written may not overlap what is read. A command is written
+ *   before it is judged: let no one else read it before control has returned.
  * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
  *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
  *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity.
- * - Needs: sqrt of libm; memcpy and memset, which compilers call of their own accord. No heap,
+ * - Needs: sqrt of libm, and nothing of libc. No heap,
  *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
  * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
  *   where the code departs from rules, trace.csv which lines are which equation.

@@ -1047,20 +1047,30 @@ static freeflyer_f32_status freeflyer_f32_refuse(const freeflyer_f32_state *stat
     return worst;
 }
 
+/* A force cut at its limit. */
+static float freeflyer_f32_cut(const float force, const float limit)
+{
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
+}
+
 /* The force within its limits, each coordinate by itself. */
 static freeflyer_f32_status freeflyer_f32_saturate(const freeflyer_f32_params *params,
         freeflyer_f32_command *command)
 {
-    int i;
-    for (i = 0; i < 6; i++) {
-        const float limit = params->force_limit[i];
-        const float force = command->force[i];
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(isfinite(force) && fabsf(command->force[i]) <= limit)) {
-            freeflyer_f32_nothing(command);
-            return FREEFLYER_F32_NONFINITE_INPUT;
-        }
+    float *const force = command->force;
+    const float *const limit = params->force_limit;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]) && isfinite(force[3])
+            && isfinite(force[4]) && isfinite(force[5]))) {
+        freeflyer_f32_nothing(command);
+        return FREEFLYER_F32_NONFINITE_INPUT;
     }
+    force[0] = freeflyer_f32_cut(force[0], limit[0]);
+    force[1] = freeflyer_f32_cut(force[1], limit[1]);
+    force[2] = freeflyer_f32_cut(force[2], limit[2]);
+    force[3] = freeflyer_f32_cut(force[3], limit[3]);
+    force[4] = freeflyer_f32_cut(force[4], limit[4]);
+    force[5] = freeflyer_f32_cut(force[5], limit[5]);
     return FREEFLYER_F32_SATURATED;
 }
 
@@ -1152,11 +1162,11 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
             && fabsf(reference->nu_dot[3]) <= FREEFLYER_F32_MAX_INPUT
             && fabsf(reference->nu_dot[4]) <= FREEFLYER_F32_MAX_INPUT
             && fabsf(reference->nu_dot[5]) <= FREEFLYER_F32_MAX_INPUT)) {
-        const int is_near = fabsf(g_e_3) <= FREEFLYER_F32_MAX_REACH
-                && fabsf(g_e_7) <= FREEFLYER_F32_MAX_REACH
-                && fabsf(g_e_11) <= FREEFLYER_F32_MAX_REACH;
-        return freeflyer_f32_refuse(state, reference,
-                is_near ? FREEFLYER_F32_NOT_ON_GROUP : FREEFLYER_F32_OUT_OF_RANGE, command);
+        if (fabsf(g_e_3) <= FREEFLYER_F32_MAX_REACH && fabsf(g_e_7) <= FREEFLYER_F32_MAX_REACH
+                && fabsf(g_e_11) <= FREEFLYER_F32_MAX_REACH) {
+            return freeflyer_f32_refuse(state, reference, FREEFLYER_F32_NOT_ON_GROUP, command);
+        }
+        return freeflyer_f32_refuse(state, reference, FREEFLYER_F32_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

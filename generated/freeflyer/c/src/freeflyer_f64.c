@@ -1084,20 +1084,30 @@ static freeflyer_f64_status freeflyer_f64_refuse(const freeflyer_f64_state *stat
     return worst;
 }
 
+/* A force cut at its limit. */
+static double freeflyer_f64_cut(const double force, const double limit)
+{
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
+}
+
 /* The force within its limits, each coordinate by itself. */
 static freeflyer_f64_status freeflyer_f64_saturate(const freeflyer_f64_params *params,
         freeflyer_f64_command *command)
 {
-    int i;
-    for (i = 0; i < 6; i++) {
-        const double limit = params->force_limit[i];
-        const double force = command->force[i];
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(isfinite(force) && fabs(command->force[i]) <= limit)) {
-            freeflyer_f64_nothing(command);
-            return FREEFLYER_F64_NONFINITE_INPUT;
-        }
+    double *const force = command->force;
+    const double *const limit = params->force_limit;
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]) && isfinite(force[3])
+            && isfinite(force[4]) && isfinite(force[5]))) {
+        freeflyer_f64_nothing(command);
+        return FREEFLYER_F64_NONFINITE_INPUT;
     }
+    force[0] = freeflyer_f64_cut(force[0], limit[0]);
+    force[1] = freeflyer_f64_cut(force[1], limit[1]);
+    force[2] = freeflyer_f64_cut(force[2], limit[2]);
+    force[3] = freeflyer_f64_cut(force[3], limit[3]);
+    force[4] = freeflyer_f64_cut(force[4], limit[4]);
+    force[5] = freeflyer_f64_cut(force[5], limit[5]);
     return FREEFLYER_F64_SATURATED;
 }
 
@@ -1189,11 +1199,11 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
             && fabs(reference->nu_dot[3]) <= FREEFLYER_F64_MAX_INPUT
             && fabs(reference->nu_dot[4]) <= FREEFLYER_F64_MAX_INPUT
             && fabs(reference->nu_dot[5]) <= FREEFLYER_F64_MAX_INPUT)) {
-        const int is_near = fabs(g_e_3) <= FREEFLYER_F64_MAX_REACH
-                && fabs(g_e_7) <= FREEFLYER_F64_MAX_REACH && fabs(g_e_11) <=
-                        FREEFLYER_F64_MAX_REACH;
-        return freeflyer_f64_refuse(state, reference,
-                is_near ? FREEFLYER_F64_NOT_ON_GROUP : FREEFLYER_F64_OUT_OF_RANGE, command);
+        if (fabs(g_e_3) <= FREEFLYER_F64_MAX_REACH && fabs(g_e_7) <= FREEFLYER_F64_MAX_REACH
+                && fabs(g_e_11) <= FREEFLYER_F64_MAX_REACH) {
+            return freeflyer_f64_refuse(state, reference, FREEFLYER_F64_NOT_ON_GROUP, command);
+        }
+        return freeflyer_f64_refuse(state, reference, FREEFLYER_F64_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const double g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

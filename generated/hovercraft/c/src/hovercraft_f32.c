@@ -605,10 +605,10 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
             && fabsf(reference->nu_dot[0]) <= HOVERCRAFT_F32_MAX_INPUT
             && fabsf(reference->nu_dot[1]) <= HOVERCRAFT_F32_MAX_INPUT
             && fabsf(reference->nu_dot[2]) <= HOVERCRAFT_F32_MAX_INPUT)) {
-        const int is_near = fabsf(g_e_2) <= HOVERCRAFT_F32_MAX_REACH
-                && fabsf(g_e_5) <= HOVERCRAFT_F32_MAX_REACH;
-        return hovercraft_f32_refuse(state, reference,
-                is_near ? HOVERCRAFT_F32_NOT_ON_GROUP : HOVERCRAFT_F32_OUT_OF_RANGE, command);
+        if (fabsf(g_e_2) <= HOVERCRAFT_F32_MAX_REACH && fabsf(g_e_5) <= HOVERCRAFT_F32_MAX_REACH) {
+            return hovercraft_f32_refuse(state, reference, HOVERCRAFT_F32_NOT_ON_GROUP, command);
+        }
+        return hovercraft_f32_refuse(state, reference, HOVERCRAFT_F32_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const float g_6 = state->g[6], g_7 = state->g[7], g_8 = state->g[8];

@@ -629,10 +629,10 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
             && fabs(reference->nu_dot[0]) <= HOVERCRAFT_F64_MAX_INPUT
             && fabs(reference->nu_dot[1]) <= HOVERCRAFT_F64_MAX_INPUT
             && fabs(reference->nu_dot[2]) <= HOVERCRAFT_F64_MAX_INPUT)) {
-        const int is_near = fabs(g_e_2) <= HOVERCRAFT_F64_MAX_REACH
-                && fabs(g_e_5) <= HOVERCRAFT_F64_MAX_REACH;
-        return hovercraft_f64_refuse(state, reference,
-                is_near ? HOVERCRAFT_F64_NOT_ON_GROUP : HOVERCRAFT_F64_OUT_OF_RANGE, command);
+        if (fabs(g_e_2) <= HOVERCRAFT_F64_MAX_REACH && fabs(g_e_5) <= HOVERCRAFT_F64_MAX_REACH) {
+            return hovercraft_f64_refuse(state, reference, HOVERCRAFT_F64_NOT_ON_GROUP, command);
+        }
+        return hovercraft_f64_refuse(state, reference, HOVERCRAFT_F64_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const double g_6 = state->g[6], g_7 = state->g[7], g_8 = state->g[8];

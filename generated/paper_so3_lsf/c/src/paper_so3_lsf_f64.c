@@ -325,11 +325,14 @@ paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_param
     const double g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
 
     /* -- end -- */
-    if (!(fabs(g_e_1) <= PAPER_SO3_LSF_F64_MAX_ENTRY && fabs(g_e_2) <= PAPER_SO3_LSF_F64_MAX_ENTRY
+    if (!(fabs(g_e_0) <= PAPER_SO3_LSF_F64_MAX_ENTRY && fabs(g_e_1) <= PAPER_SO3_LSF_F64_MAX_ENTRY
+            && fabs(g_e_2) <= PAPER_SO3_LSF_F64_MAX_ENTRY
             && fabs(g_e_3) <= PAPER_SO3_LSF_F64_MAX_ENTRY
+            && fabs(g_e_4) <= PAPER_SO3_LSF_F64_MAX_ENTRY
             && fabs(g_e_5) <= PAPER_SO3_LSF_F64_MAX_ENTRY
             && fabs(g_e_6) <= PAPER_SO3_LSF_F64_MAX_ENTRY
             && fabs(g_e_7) <= PAPER_SO3_LSF_F64_MAX_ENTRY
+            && fabs(g_e_8) <= PAPER_SO3_LSF_F64_MAX_ENTRY
             && fabs(state->nu[0]) <= PAPER_SO3_LSF_F64_MAX_INPUT
             && fabs(state->nu[1]) <= PAPER_SO3_LSF_F64_MAX_INPUT
             && fabs(state->nu[2]) <= PAPER_SO3_LSF_F64_MAX_INPUT

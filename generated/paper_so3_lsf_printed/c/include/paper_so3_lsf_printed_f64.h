@@ -12,11 +12,12 @@
  * - Frames: velocities and forces are in the body frame; the reference's in the reference's own.
  * - Configuration g: rotation matrix, row by row.
  * - Pointers: never null; each to a whole struct, or to as many numbers as stand in the brackets,
- *   aligned as its type; what is written may not overlap what is read.
+ *   aligned as its type; what is written may not overlap what is read. A command is written
+ *   before it is judged: let no one else read it before control has returned.
  * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
  *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
  *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity.
- * - Needs: sqrt of libm; memcpy and memset, which compilers call of their own accord. No heap,
+ * - Needs: sqrt of libm, and nothing of libc. No heap,
  *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
  * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
  *   where the code departs from rules, trace.csv which lines are which equation.
@@ -32,10 +33,7 @@ extern "C" {
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_INPUT 1.0e6
 /** of an entry of the error that the group keeps at 1 */
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_ENTRY 1.01
-#define PAPER_SO3_LSF_PRINTED_F64_MAX_REACH 4.0e6 /**< of any other entry of the error */
 #define PAPER_SO3_LSF_PRINTED_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
-/** clearance below which NEAR_CUT_LOCUS is flagged */
-#define PAPER_SO3_LSF_PRINTED_F64_NEAR_CUT 0.001
 /** largest inertia entry, force limit, or other gain */
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_PARAM 1.0e9
 #define PAPER_SO3_LSF_PRINTED_F64_MIN_GAIN 1.0e-9 /**< least gain */

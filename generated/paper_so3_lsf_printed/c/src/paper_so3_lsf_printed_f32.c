@@ -337,12 +337,15 @@ paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_control(const
     const float g_e_8 = g_2*g_r_2 + g_5*g_r_5 + g_8*g_r_8;
 
     /* -- end -- */
-    if (!(fabsf(g_e_1) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+    if (!(fabsf(g_e_0) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_1) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
             && fabsf(g_e_2) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
             && fabsf(g_e_3) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_4) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
             && fabsf(g_e_5) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
             && fabsf(g_e_6) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
             && fabsf(g_e_7) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
+            && fabsf(g_e_8) <= PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY
             && fabsf(state->nu[0]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
             && fabsf(state->nu[1]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT
             && fabsf(state->nu[2]) <= PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT

@@ -508,28 +508,39 @@ static quadrotor_f32_status quadrotor_f32_refuse(const quadrotor_f32_state *stat
     return worst;
 }
 
+/* The share of a force that its limit leaves, if that is less than another share. */
+static float quadrotor_f32_share(const float share, const float force,
+        const float limit)
+{
+    const float size = fabsf(force);
+    const float part = (size > limit) ? limit/size : share;
+    return (part < share) ? part : share;
+}
+
+/* A force cut at its limit. */
+static float quadrotor_f32_cut(const float force, const float limit)
+{
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
+}
+
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
 static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *params,
         quadrotor_f32_command *command)
 {
+    float *const force = command->force;
+    const float *const limit = params->force_limit;
     float share = 1.0F;
-    int i;
-    for (i = 0; i < 3; i++) {
-        const float size = fabsf(command->force[i]);
-        if (size > params->force_limit[i]) {
-            const float part = params->force_limit[i]/size;
-            share = part < share ? part : share;
-        }
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        quadrotor_f32_nothing(command);
+        return QUADROTOR_F32_NONFINITE_INPUT;
     }
-    for (i = 0; i < 3; i++) {
-        const float limit = params->force_limit[i];
-        const float force = command->force[i]*share;
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(fabsf(command->force[i]) <= limit)) {
-            quadrotor_f32_nothing(command);
-            return QUADROTOR_F32_NONFINITE_INPUT;
-        }
-    }
+    share = quadrotor_f32_share(share, force[0], limit[0]);
+    share = quadrotor_f32_share(share, force[1], limit[1]);
+    share = quadrotor_f32_share(share, force[2], limit[2]);
+    force[0] = quadrotor_f32_cut(force[0]*share, limit[0]);
+    force[1] = quadrotor_f32_cut(force[1]*share, limit[1]);
+    force[2] = quadrotor_f32_cut(force[2]*share, limit[2]);
     return QUADROTOR_F32_SATURATED;
 }
 

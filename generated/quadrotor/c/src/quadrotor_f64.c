@@ -521,28 +521,39 @@ static quadrotor_f64_status quadrotor_f64_refuse(const quadrotor_f64_state *stat
     return worst;
 }
 
+/* The share of a force that its limit leaves, if that is less than another share. */
+static double quadrotor_f64_share(const double share, const double force,
+        const double limit)
+{
+    const double size = fabs(force);
+    const double part = (size > limit) ? limit/size : share;
+    return (part < share) ? part : share;
+}
+
+/* A force cut at its limit. */
+static double quadrotor_f64_cut(const double force, const double limit)
+{
+    const double most = (force > 0.0) ? limit : -limit;
+    return (fabs(force) <= limit) ? force : most;
+}
+
 /* The force within its limits, shrunk as a whole, so that its direction stays. */
 static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
+    double *const force = command->force;
+    const double *const limit = params->force_limit;
     double share = 1.0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        const double size = fabs(command->force[i]);
-        if (size > params->force_limit[i]) {
-            const double part = params->force_limit[i]/size;
-            share = part < share ? part : share;
-        }
+    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+        quadrotor_f64_nothing(command);
+        return QUADROTOR_F64_NONFINITE_INPUT;
     }
-    for (i = 0; i < 3; i++) {
-        const double limit = params->force_limit[i];
-        const double force = command->force[i]*share;
-        command->force[i] = force > limit ? limit : force < -limit ? -limit : force;
-        if (!(fabs(command->force[i]) <= limit)) {
-            quadrotor_f64_nothing(command);
-            return QUADROTOR_F64_NONFINITE_INPUT;
-        }
-    }
+    share = quadrotor_f64_share(share, force[0], limit[0]);
+    share = quadrotor_f64_share(share, force[1], limit[1]);
+    share = quadrotor_f64_share(share, force[2], limit[2]);
+    force[0] = quadrotor_f64_cut(force[0]*share, limit[0]);
+    force[1] = quadrotor_f64_cut(force[1]*share, limit[1]);
+    force[2] = quadrotor_f64_cut(force[2]*share, limit[2]);
     return QUADROTOR_F64_SATURATED;
 }
 

@@ -9,11 +9,12 @@
  * - Frames: velocities and forces are in the body frame; the reference's in the reference's own.
  * - Configuration g: matrix of 2 rows, row by row.
  * - Pointers: never null; each to a whole struct, or to as many numbers as stand in the brackets,
- *   aligned as its type; what is written may not overlap what is read.
+ *   aligned as its type; what is written may not overlap what is read. A command is written
+ *   before it is judged: let no one else read it before control has returned.
  * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
  *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
  *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity.
- * - Needs: sqrtf of libm; memcpy and memset, which compilers call of their own accord. No heap,
+ * - Needs: sqrtf of libm, and nothing of libc. No heap,
  *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
  * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
  *   where the code departs from rules, trace.csv which lines are which equation.
@@ -26,10 +27,8 @@ extern "C" {
 #endif
 
 #define SL2_F32_MAX_INPUT 1.0e6F /**< largest magnitude of a number in state or reference */
-#define SL2_F32_MAX_ENTRY 1.01F /**< of an entry of the error that the group keeps at 1 */
 #define SL2_F32_MAX_REACH 1.0e3F /**< of any other entry of the error */
 #define SL2_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
-#define SL2_F32_NEAR_CUT 0.001F /**< clearance below which NEAR_CUT_LOCUS is flagged */
 #define SL2_F32_MAX_PARAM 1.0e9F /**< largest inertia entry, force limit, or other gain */
 #define SL2_F32_MIN_GAIN 1.0e-9F /**< least gain */
 #define SL2_F32_MAX_RATE 1.0e4F /**< largest gain in 1/s */

@@ -420,10 +420,11 @@ sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state
             && fabsf(reference->nu_dot[0]) <= SL2_F32_MAX_INPUT
             && fabsf(reference->nu_dot[1]) <= SL2_F32_MAX_INPUT
             && fabsf(reference->nu_dot[2]) <= SL2_F32_MAX_INPUT)) {
-        const int is_near = fabsf(g_e_0) <= SL2_F32_MAX_REACH && fabsf(g_e_1) <= SL2_F32_MAX_REACH
-                && fabsf(g_e_2) <= SL2_F32_MAX_REACH && fabsf(g_e_3) <= SL2_F32_MAX_REACH;
-        return sl2_f32_refuse(state, reference,
-                is_near ? SL2_F32_NOT_ON_GROUP : SL2_F32_OUT_OF_RANGE, command);
+        if (fabsf(g_e_0) <= SL2_F32_MAX_REACH && fabsf(g_e_1) <= SL2_F32_MAX_REACH
+                && fabsf(g_e_2) <= SL2_F32_MAX_REACH && fabsf(g_e_3) <= SL2_F32_MAX_REACH) {
+            return sl2_f32_refuse(state, reference, SL2_F32_NOT_ON_GROUP, command);
+        }
+        return sl2_f32_refuse(state, reference, SL2_F32_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
 

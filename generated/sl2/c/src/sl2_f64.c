@@ -419,10 +419,11 @@ sl2_f64_status sl2_f64_control(const sl2_f64_params *params, const sl2_f64_state
             && fabs(reference->nu_dot[0]) <= SL2_F64_MAX_INPUT
             && fabs(reference->nu_dot[1]) <= SL2_F64_MAX_INPUT
             && fabs(reference->nu_dot[2]) <= SL2_F64_MAX_INPUT)) {
-        const int is_near = fabs(g_e_0) <= SL2_F64_MAX_REACH && fabs(g_e_1) <= SL2_F64_MAX_REACH
-                && fabs(g_e_2) <= SL2_F64_MAX_REACH && fabs(g_e_3) <= SL2_F64_MAX_REACH;
-        return sl2_f64_refuse(state, reference,
-                is_near ? SL2_F64_NOT_ON_GROUP : SL2_F64_OUT_OF_RANGE, command);
+        if (fabs(g_e_0) <= SL2_F64_MAX_REACH && fabs(g_e_1) <= SL2_F64_MAX_REACH
+                && fabs(g_e_2) <= SL2_F64_MAX_REACH && fabs(g_e_3) <= SL2_F64_MAX_REACH) {
+            return sl2_f64_refuse(state, reference, SL2_F64_NOT_ON_GROUP, command);
+        }
+        return sl2_f64_refuse(state, reference, SL2_F64_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
 

@@ -1408,11 +1408,11 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
             && fabsf(reference->nu_dot[6]) <= TWO_BODIES_F32_MAX_INPUT
             && fabsf(reference->nu_dot[7]) <= TWO_BODIES_F32_MAX_INPUT
             && fabsf(reference->nu_dot[8]) <= TWO_BODIES_F32_MAX_INPUT)) {
-        const int is_near = fabsf(g_e_3) <= TWO_BODIES_F32_MAX_REACH
-                && fabsf(g_e_7) <= TWO_BODIES_F32_MAX_REACH
-                && fabsf(g_e_11) <= TWO_BODIES_F32_MAX_REACH;
-        return two_bodies_f32_refuse(state, reference,
-                is_near ? TWO_BODIES_F32_NOT_ON_GROUP : TWO_BODIES_F32_OUT_OF_RANGE, command);
+        if (fabsf(g_e_3) <= TWO_BODIES_F32_MAX_REACH && fabsf(g_e_7) <= TWO_BODIES_F32_MAX_REACH
+                && fabsf(g_e_11) <= TWO_BODIES_F32_MAX_REACH) {
+            return two_bodies_f32_refuse(state, reference, TWO_BODIES_F32_NOT_ON_GROUP, command);
+        }
+        return two_bodies_f32_refuse(state, reference, TWO_BODIES_F32_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

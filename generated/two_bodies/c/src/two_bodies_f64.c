@@ -1438,11 +1438,11 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
             && fabs(reference->nu_dot[6]) <= TWO_BODIES_F64_MAX_INPUT
             && fabs(reference->nu_dot[7]) <= TWO_BODIES_F64_MAX_INPUT
             && fabs(reference->nu_dot[8]) <= TWO_BODIES_F64_MAX_INPUT)) {
-        const int is_near = fabs(g_e_3) <= TWO_BODIES_F64_MAX_REACH
-                && fabs(g_e_7) <= TWO_BODIES_F64_MAX_REACH
-                && fabs(g_e_11) <= TWO_BODIES_F64_MAX_REACH;
-        return two_bodies_f64_refuse(state, reference,
-                is_near ? TWO_BODIES_F64_NOT_ON_GROUP : TWO_BODIES_F64_OUT_OF_RANGE, command);
+        if (fabs(g_e_3) <= TWO_BODIES_F64_MAX_REACH && fabs(g_e_7) <= TWO_BODIES_F64_MAX_REACH
+                && fabs(g_e_11) <= TWO_BODIES_F64_MAX_REACH) {
+            return two_bodies_f64_refuse(state, reference, TWO_BODIES_F64_NOT_ON_GROUP, command);
+        }
+        return two_bodies_f64_refuse(state, reference, TWO_BODIES_F64_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const double g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

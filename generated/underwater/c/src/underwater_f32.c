@@ -1190,11 +1190,11 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
             && fabsf(reference->nu_dot[3]) <= UNDERWATER_F32_MAX_INPUT
             && fabsf(reference->nu_dot[4]) <= UNDERWATER_F32_MAX_INPUT
             && fabsf(reference->nu_dot[5]) <= UNDERWATER_F32_MAX_INPUT)) {
-        const int is_near = fabsf(g_e_3) <= UNDERWATER_F32_MAX_REACH
-                && fabsf(g_e_7) <= UNDERWATER_F32_MAX_REACH
-                && fabsf(g_e_11) <= UNDERWATER_F32_MAX_REACH;
-        return underwater_f32_refuse(state, reference,
-                is_near ? UNDERWATER_F32_NOT_ON_GROUP : UNDERWATER_F32_OUT_OF_RANGE, command);
+        if (fabsf(g_e_3) <= UNDERWATER_F32_MAX_REACH && fabsf(g_e_7) <= UNDERWATER_F32_MAX_REACH
+                && fabsf(g_e_11) <= UNDERWATER_F32_MAX_REACH) {
+            return underwater_f32_refuse(state, reference, UNDERWATER_F32_NOT_ON_GROUP, command);
+        }
+        return underwater_f32_refuse(state, reference, UNDERWATER_F32_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const float g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];

@@ -1225,11 +1225,11 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
             && fabs(reference->nu_dot[3]) <= UNDERWATER_F64_MAX_INPUT
             && fabs(reference->nu_dot[4]) <= UNDERWATER_F64_MAX_INPUT
             && fabs(reference->nu_dot[5]) <= UNDERWATER_F64_MAX_INPUT)) {
-        const int is_near = fabs(g_e_3) <= UNDERWATER_F64_MAX_REACH
-                && fabs(g_e_7) <= UNDERWATER_F64_MAX_REACH
-                && fabs(g_e_11) <= UNDERWATER_F64_MAX_REACH;
-        return underwater_f64_refuse(state, reference,
-                is_near ? UNDERWATER_F64_NOT_ON_GROUP : UNDERWATER_F64_OUT_OF_RANGE, command);
+        if (fabs(g_e_3) <= UNDERWATER_F64_MAX_REACH && fabs(g_e_7) <= UNDERWATER_F64_MAX_REACH
+                && fabs(g_e_11) <= UNDERWATER_F64_MAX_REACH) {
+            return underwater_f64_refuse(state, reference, UNDERWATER_F64_NOT_ON_GROUP, command);
+        }
+        return underwater_f64_refuse(state, reference, UNDERWATER_F64_OUT_OF_RANGE, command);
     }
     /* -- drift -- */
     const double g_12 = state->g[12], g_13 = state->g[13], g_14 = state->g[14], g_15 = state->g[15];
