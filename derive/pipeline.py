@@ -77,7 +77,7 @@ def derived(vehicle: Vehicle) -> Printed:
     group = group_of(vehicle)
     law = laws_of(group)[vehicle.law]
     parts = derivations(vehicle)
-    described = {
+    described: Printed = {
         "group": group.name,
         "law": f"{law.name} ({law.doc})",
         "controller": vehicle.controller,
@@ -86,7 +86,8 @@ def derived(vehicle: Vehicle) -> Printed:
         "stored": len(group.identity),
         "identity": [int(number) for number in group.identity],
         "element_shape": list(group.shape),
-        "is_pole": law.is_pole,
+        "is_pole": law.is_pole and vehicle.hysteresis is None,
+        "has_side": vehicle.hysteresis is not None,
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
         "is_bounded": list(parts.guard.is_bounded),
         "saturation": vehicle.limits.saturation,
@@ -96,9 +97,9 @@ def derived(vehicle: Vehicle) -> Printed:
                   parts.inner, border(group))  # fmt: skip
     data = package(vehicle.name, whole, described)
     return {
-        "selftest": selftest.kept(vehicle, data, is_pole=law.is_pole),
+        "selftest": selftest.kept(vehicle, data, is_pole=described["is_pole"]),
         "facts": {"dim": facts.dim, "is_rotation": facts.is_rotation},
-        "cautions": cautions(vehicle, group),
+        "cautions": [] if vehicle.hysteresis else cautions(vehicle, group),
         "targets": data,
     }
 
@@ -107,7 +108,8 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     """Printed data of a vehicle, from the cache folder when it is there; None for no cache."""
     if cached is None:
         return derived(vehicle)
-    kept = ("name", "group", "own", "law", "controller", "pattern", "options")
+    kept = ("name", "group", "own", "law", "controller", "pattern", "options",
+            "hysteresis")  # fmt: skip
     said = [getattr(vehicle, field) for field in kept]
     name = cache.key(vehicle=[*said, vehicle.limits.saturation])
     data: Printed | None = cache.read(cached, name)
@@ -246,5 +248,6 @@ def _values(vehicle: Vehicle) -> dict[str, Any]:
         "force_limit": vehicle.limits.force,
         "saturation": vehicle.limits.saturation,
         "max_drift": vehicle.limits.drift,
+        "hysteresis": vehicle.hysteresis,
         "is_own": vehicle.own is not None,
     }

@@ -19,6 +19,21 @@ from derive.routine.derivation import Derivation
 CORE = "law"
 """Symbol of the guarded law's body, which also reports its clearance."""
 
+SIDE = {
+    "name": "side",
+    "fields": [
+        {
+            "holder": "side",
+            "member": "sign",
+            "size": 1,
+            "unit": "1",
+            "doc": "of the error that is driven to the identity; 0: not decided",
+            "is_scalar": True,
+        }
+    ],
+}
+"""What a controller that takes the shorter way round keeps from call to call."""
+
 
 @dataclass(frozen=True)
 class Parts:
@@ -65,10 +80,12 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         return _declared(routine(d, dialect), is_public, facts["element_shape"]) if d else None
 
     main = declared(parts.main, True) or {}
+    has_side = facts["has_side"]
     main.update(symbol=CORE, public_writes=["command"])
+    main["guarded_writes"] = ["side", "command"] if has_side else ["command"]
     more = _margins(main, facts, parts.drift is not None)
     near = next(out for out in main["outputs"] if out["member"] == "clearance")
-    has_cut = not near["entries"][0][0].isdigit()
+    has_cut = has_side or not near["entries"][0][0].isdigit()
     public = [declared(d, True) for d in parts.public]
     inner = [declared(d) for d in parts.inner]
     whole = [parts.main, *parts.public, *parts.inner]
@@ -84,7 +101,7 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         "has_cut": has_cut,
         "bounds": _bounds(main, facts, has_drift=parts.drift is not None, has_cut=has_cut),
         "kernels": kernels(whole, dialect.scalar),
-        "structs": _structs(main, more),
+        "structs": _structs(main, more) + [SIDE] * has_side,
         "command": [out for out in main["outputs"] if out["holder"] == "command"],
         "statuses": [list(status) for status in STATUSES],
         "first_bad": FIRST_BAD,
@@ -139,7 +156,8 @@ def _bounds(
         "MAX_ENTRY": any(facts["is_bounded"]),
         "MAX_REACH": not all(facts["is_bounded"]),
         "MOST_DRIFT": has_drift,
-        "NEAR_CUT": has_cut,
+        "NEAR_CUT": has_cut and not facts["has_side"],
+        "HYSTERESIS": facts["has_side"],
         "REFUSED_CUT": facts["is_pole"],
         "MAX_PARAM": True,
         "MIN_GAIN": True,

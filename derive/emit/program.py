@@ -15,6 +15,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+ERROR, PAST = "_of_error", "_past_error"
+"""The law in two, where a sign comes between."""
+
 Given = Mapping[str, Sequence[float]]
 Routine = Callable[[Given], dict[str, list[float]]]
 
@@ -27,6 +30,8 @@ def program(printed: Mapping[str, Any], scalar: str) -> str:
     """Python text of every routine of the C in one scalar, by the name it has there."""
     lines = [line for kernel in printed["kernels"] for line in _kernel(kernel)]
     lines += [line for routine in printed["routines"] for line in _routine(routine)]
+    parts = {ERROR: printed["error"], PAST: printed["core"]} if printed["has_side"] else {}
+    lines += [line for name, one in parts.items() for line in _routine({**one, "symbol": name})]
     text = "\n".join(map(_python, lines))
     if scalar == "f64":
         return text

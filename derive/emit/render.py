@@ -26,6 +26,7 @@ ABOUT = {
     "state": "what is measured",
     "reference": "where to be, and how that moves",
     "command": "what is to be done, and what it was made of",
+    "side": "which way round is taken, kept from call to call; all zero to begin with",
 }
 """What the structs of an emitted header are for."""
 
@@ -177,12 +178,13 @@ def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str,
         return number(value, scalar)
 
     drift = values["max_drift"] or kind.max_drift
+    constants = kind.constants(values["is_own"], values["hysteresis"])
     return {
         "vehicle": values["name"],
         "prefix": prefix,
         "macro": prefix.upper(),
         "scalar": kind,
-        "constants": [(name, text(x), doc) for name, x, doc in kind.constants(values["is_own"])],
+        "constants": [(name, text(x), doc) for name, x, doc in constants],
         "inertia": [text(value) for value in values["inertia"]],
         "gains": [(name, text(value)) for name, value in values["gains"]],
         "force_limit": [text(value) for value in values["force_limit"]],

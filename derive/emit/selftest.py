@@ -15,8 +15,9 @@ from itertools import cycle
 from typing import Any
 
 from derive.emit.literal import exact, nearest
-from derive.emit.program import Given, Limit, Routine, bits, limited, pack, run
+from derive.emit.program import ERROR, PAST, Given, Limit, Routine, bits, limited, pack, run
 from derive.emit.render import fold
+from derive.emit.side import axis, steps
 from derive.emit.status import FIRST_BAD, STATUSES
 
 WORDS = {"f32": "uint32_t", "f64": "uint64_t"}
@@ -60,8 +61,17 @@ class Code:
 
     def control(self, given: Given) -> dict[str, list[float]]:
         """The command for inputs that are good."""
-        found = self.routines[self.printed["main"]["symbol"]]({**self.params, **given})
+        whole = {**self.params, **given}
+        if self.printed["has_side"]:
+            found = self.routines[PAST]({**whole, "g_e": self._nearer(whole)})
+        else:
+            found = self.routines[self.printed["main"]["symbol"]](whole)
         return found | {"force": limited(found["force"], self.limit, self.scalar)}
+
+    def _nearer(self, whole: Given) -> list[float]:
+        """The error, or its opposite: what is nearer, as no side is chosen yet."""
+        g_e = self.routines[ERROR](whole)["g_e"]
+        return [-x for x in g_e] if g_e[0] < 0 else g_e
 
     def answers(self, given: Given, force: Sequence[float]) -> list[str]:
         """Bits of what each bare routine writes, in the order in which it lies in memory."""
@@ -106,8 +116,15 @@ def selftest(
         "identity": [code.text(x) for x in identity],
         **_hollow(code),
         "largest": exact(LARGEST[scalar], scalar),
+        **_sided(values, scalar),
         "first_good": next(i for i, row in enumerate(rows) if VALUE[row["status"]] < FIRST_BAD),
     }
+
+
+def _sided(values: Mapping[str, Any], scalar: str) -> dict[str, Any]:
+    """The steps to and fro across half a turn, where the shorter way round is taken."""
+    margin = values["hysteresis"]
+    return {} if margin is None else {"steps": steps(margin, scalar), "axis": axis(scalar)}
 
 
 def _hollow(code: Code) -> dict[str, Any]:

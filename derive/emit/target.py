@@ -48,8 +48,14 @@ class Scalar:
     min_gain: Fraction
     max_rate: Fraction
 
-    def constants(self, is_own: bool = False) -> tuple[tuple[str, Fraction, str], ...]:
-        """(name, value, sentence) of each bound, as headers and modules state them."""
+    def constants(
+        self, is_own: bool = False, hysteresis: Fraction | None = None
+    ) -> tuple[tuple[str, Fraction, str], ...]:
+        """(name, value, sentence) of each bound, as headers and modules state them.
+
+        hysteresis: of the choice between q and -q, where there is one
+        """
+        side = ("HYSTERESIS", hysteresis or Fraction(0), "scalar part that turns the error over")
         reach = self.max_own if is_own else self.max_reach
         return (
             ("MAX_INPUT", self.max_input, "largest magnitude of a number in state or reference"),
@@ -57,6 +63,7 @@ class Scalar:
             ("MAX_REACH", reach, "of any other entry of the error"),
             ("MOST_DRIFT", self.most_drift, "largest max_drift that may be asked for"),
             ("NEAR_CUT", self.near_cut, "clearance below which NEAR_CUT_LOCUS is flagged"),
+            side,
             ("REFUSED_CUT", self.refused, "clearance below which a law with a pole is refused"),
             ("MAX_PARAM", self.max_param, "largest inertia entry, force limit, or other gain"),
             ("MIN_GAIN", self.min_gain, "least gain"),

@@ -52,6 +52,7 @@ def _context(interface: Interface, plant: Plant) -> dict[str, Any]:
         "bits": {"float": "uint32_t", "double": "uint64_t"}[interface.real],
         "inputs": structs,
         "members": interface.members(*structs),
+        "judged": len(interface.members(*interface.judged)),
         "params": interface.structs["params"],
         "gains": [one for one in interface.structs["params"] if not one.is_array],
         "limit": _named(interface.structs["params"], "limit"),

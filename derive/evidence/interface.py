@@ -57,6 +57,12 @@ class Interface:
         return tuple(name for name in names if name not in ("params", "command"))
 
     @property
+    def judged(self) -> tuple[str, ...]:
+        """Those of them that have to be finite: what a caller keeps may be anything."""
+        given = [one for one in self.routines["control"].parameters if one.is_input]
+        return tuple(name for one in given if (name := self._struct(one.type)) != "params")
+
+    @property
     def law(self) -> str:
         """The bare law that `control` guards."""
         return "tracking" if "reference" in self.inputs else "reaching"

@@ -17,6 +17,9 @@ from derive.native.layout import Array, Record, batch, field, record, shaped
 Arrays = dict[str, Array]
 Fields = Mapping[str, ArrayLike]
 
+KEPT = "side"
+"""What a caller keeps from call to call: it is read and written."""
+
 
 class Library:
     """The emitted routines of one prefix, batched over the leading axes of their inputs.
@@ -76,22 +79,24 @@ class Library:
 
         A struct is given as a mapping of its fields, a plain array as itself. Each has the
         shape of the C field after any leading axes, which broadcast; so have the outputs.
-        Fields of `params` left out, or all of it, are the defaults. Raises KeyError for an
-        unknown routine, TypeError for wrong arguments or fields, ValueError for a wrong shape.
+        Fields of `params` left out, or all of it, are the defaults. What is read and written,
+        KEPT, may be given as well, and is zero otherwise. Raises KeyError for an unknown routine,
+        TypeError for wrong arguments or fields, ValueError for a wrong shape.
         """
         declared = self.routines[routine]
         layouts = {one.name: self.argument(one) for one in declared.parameters}
         inputs = [one.name for one in declared.parameters if one.is_input]
-        if wrong := ({*given} ^ {*inputs}) - {"params"}:
+        if wrong := ({*given} ^ {*inputs}) - {"params", KEPT}:
             raise TypeError(f"{routine} takes {inputs}; missing or unknown: {sorted(wrong)}")
-        fields = {name: self._fields(name, layouts[name], given.get(name)) for name in inputs}
+        filled = [*inputs, *(name for name in (KEPT,) if name in layouts and name in given)]
+        fields = {name: self._fields(name, layouts[name], given.get(name)) for name in filled}
         shape = batch(
             (array, len(field(layouts[name], key).shape))
-            for name in inputs
+            for name in filled
             for key, array in fields[name].items()
         )
         buffers = {name: np.zeros(shape, dtype=layout) for name, layout in layouts.items()}
-        for name in inputs:
+        for name in filled:
             for key, array in fields[name].items():
                 buffers[name][key] = array
         status = self._run(declared, buffers, int(np.prod(shape, dtype=int)))

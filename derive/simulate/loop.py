@@ -34,7 +34,7 @@ class Moment:
     """One instant of all loops: columns (size, N) or (N,).
 
     command is the controller's, force what the actuators give; g_e, nu_e and height are true
-    errors, whatever was measured; nu_r is (n, 1).
+    errors, whatever was measured, g_e that which is driven to the identity; nu_r is (n, 1).
     """
 
     t: float
@@ -120,7 +120,9 @@ class Loop:
     def _moment(self, t: float, body: Body, command: Command, force: Array) -> Moment:
         nu_r = self.reference.at(t)[0]
         apart = self._held or self.space
-        g_e, nu_e, height = apart.deviation(body.g, body.nu, body.g_r, nu_r)
+        side = command.side
+        g = body.g if side is None else np.where(side < 0, -body.g, body.g)
+        g_e, nu_e, height = apart.deviation(g, body.nu, body.g_r, nu_r)
         return Moment(t, body, nu_r, g_e, nu_e, height, command, force)
 
     def _sampled(self, t: float, body: Body, force: Array) -> Body:

@@ -22,17 +22,21 @@ REFUSED = FIRST_BAD
 
 
 class Command(NamedTuple):
-    """What `control` says: force, s and nu_u, (n, N) each, and status (N,)."""
+    """What `control` says: force, s and nu_u, (n, N) each, and status (N,).
+
+    side: sign of the error that it drives to the identity, (N,), where it takes q or -q
+    """
 
     force: Array
     s: Array
     nu_u: Array
     status: NDArray[np.int_]
+    side: Array | None = None
 
 
 @dataclass(frozen=True)
 class Pilot:
-    """The guarded entry of one backend, for a fixed number of loops.
+    """The guarded entry of one backend, for a fixed number of loops, whose sides it keeps.
 
     run: columns by name (g, nu, g_r, nu_r, nu_r_dot and the options') -> Command
     """
@@ -49,16 +53,20 @@ def pilot(craft: Craft, backend: str, loops: int) -> Pilot:
 
 
 def _numpy(craft: Craft) -> Callable[[Mapping[str, Array]], Command]:
-    control, shape = _module(craft).control, group_of(craft).shape
+    module, shape = _module(craft), group_of(craft).shape
+    kept = {"side": 0.0} if hasattr(module, "HYSTERESIS") else {}
 
     def run(given: Mapping[str, Array]) -> Command:
         rows = {name: np.moveaxis(one, 0, -1) for name, one in given.items()}
         for name in ("g", "g_r"):
             if name in rows:
                 rows[name] = rows[name].reshape(-1, *shape)
-        found = control(**rows)
+        found = module.control(**rows, **kept)
         force, s, nu_u = (np.moveaxis(one, -1, 0) for one in (found.force, found.s, found.nu_u))
-        return Command(force, s, nu_u, found.status)
+        if not kept:
+            return Command(force, s, nu_u, found.status)
+        kept["side"] = found.side
+        return Command(force, s, nu_u, found.status, found.side)
 
     return run
 
@@ -80,6 +88,7 @@ def _native(craft: Craft, scalar: str, loops: int) -> Callable[[Mapping[str, Arr
     command = rows.outputs["command"]
     places: dict[str, Array] = {}
     told = [column(command, name) for name in ("force", "s", "nu_u")]
+    kept = column(rows.outputs["side"], "sign") if "side" in rows.outputs else None
 
     def run(given: Mapping[str, Array]) -> Command:
         for name, values in given.items():
@@ -89,7 +98,8 @@ def _native(craft: Craft, scalar: str, loops: int) -> Callable[[Mapping[str, Arr
             places[name][...] = values
         rows.run()
         force, s, nu_u = (one.astype(np.float64, order="C") for one in told)
-        return Command(force, s, nu_u, rows.results.astype(np.int_))
+        side = None if kept is None else kept.astype(np.float64)
+        return Command(force, s, nu_u, rows.results.astype(np.int_), side)
 
     return run
 

@@ -25,6 +25,7 @@ from derive.vehicle.limits import Limits, limits
 from derive.vehicle.lookup import Facts, check_law, look_up
 from derive.vehicle.number import matrix, square
 from derive.vehicle.rigid import check_rigid
+from derive.vehicle.side import hysteresis
 from derive.vehicle.text import InputError, Table, described, read
 
 __all__ = [
@@ -54,6 +55,8 @@ class Vehicle:
     options:     those of OPTIONS that are asked for, sorted
     is_in_fluid: a fluid has a part in the inertia, which then need not be a rigid body's
     limits:      what `control` keeps the force to, and how far off the group is fine
+    hysteresis:  by how much the other way round has to be shorter, cos of half an angle, until
+                 `control` takes it; None where it takes the error as it is
     experiment:  what a closed loop of it is flown with; nothing emitted depends on it
     """
 
@@ -70,6 +73,7 @@ class Vehicle:
     options: tuple[str, ...] = ()
     is_in_fluid: bool = False
     limits: Limits = field(default_factory=Limits)
+    hysteresis: Fraction | None = None
     experiment: Experiment = field(default_factory=Experiment)
 
     @property
@@ -108,6 +112,7 @@ def load(path: Path) -> Vehicle:
         options=tuple(option for option in OPTIONS if option in options),
         is_in_fluid=is_in_fluid,
         limits=limits(top, len(inertia)),
+        hysteresis=hysteresis(top, group, controller, law),
         experiment=experiment(top, len(inertia)),
     )
 

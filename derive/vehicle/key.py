@@ -3,8 +3,8 @@
 from derive.control.table import CONTROLLERS
 
 TOP_KEYS = (
-    *("schema", "name", "group", "law", "controller", "inertia", "body", "options"),
-    *("gains", "limits", "emit", "reference", "simulate"),
+    *("schema", "name", "group", "law", "shortest", "hysteresis", "controller", "inertia", "body"),
+    *("options", "gains", "limits", "emit", "reference", "simulate"),
 )
 GROUP_KEYS = ("name", "basis", "units", "law")
 BODY_KEYS = ("mass", "center", "moments", "added_mass")

@@ -4,6 +4,7 @@ from itertools import cycle, repeat
 from pathlib import Path
 
 from derive.control.table import CONTROLLERS
+from derive.vehicle import side
 from derive.vehicle.check import check_name
 from derive.vehicle.file import (
     DEFAULT_CONTROLLER,
@@ -31,7 +32,7 @@ schema = {schema}
 name = "{name}"  # prefix of the emitted C: a C identifier
 group = "{group}"  # where the vehicle moves: SO3 (matrix), S3 (quaternion), SE3 (pose), ...
 law = "{law}"  # kinematic law nu_u; a name that does not exist on the group is told
-controller = "{controller}"  # one of: {controllers}
+{shortest}controller = "{controller}"  # one of: {controllers}
 
 {inertia}
 
@@ -60,6 +61,8 @@ targets = {targets}
 # disturbance = 1e-5  # constant force that the controller is not told
 """
 
+
+SHORTEST = "# shortest = true  # control takes the error q or -q, whichever is the shorter way\n"
 
 INERTIA = """\
 # Symmetric, positive definite; {what}.
@@ -118,6 +121,7 @@ def starter(name: str, group: str, law: str | None = None) -> str:
         schema=SCHEMA,
         group=group,
         law=law or usual,
+        shortest=SHORTEST if group == side.GROUP else "",
         controller=DEFAULT_CONTROLLER,
         controllers=", ".join(there),
         inertia=_inertia(group),

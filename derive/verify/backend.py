@@ -18,12 +18,16 @@ from derive.verify.shape import space
 
 Outputs = dict[str, NDArray[Any]]
 
+KEPT = ("side", "sign")
+"""What is kept from call to call, as numpy and C name it."""
+
 
 @dataclass(frozen=True)
 class Backend:
     """Emitted routines by name: tracking, reaching and control of States, plant with a force.
 
-    run gives the outputs by name, (N, n), and of control the status (N,) besides;
+    run gives the outputs by name, (N, n), and of control the status (N,) besides, of no side
+    chosen before;
     check_params the status of parameters given by their names in C, the others being defaults.
     """
 
@@ -40,7 +44,8 @@ def numpy_backend(module: Any, vehicle: Plant) -> Backend:
         if routine == "plant":
             return {"nu_dot": module.plant(states.nu, *extras(vehicle, states), force)}
         command = call(module, vehicle, routine, states)
-        return command._asdict() if routine == "control" else _without_status(command._asdict())
+        unsaid = KEPT if routine == "control" else (*KEPT, "status")
+        return _without(command._asdict(), *unsaid)
 
     def check_params(given: Mapping[str, Any]) -> int:
         renamed = {python_name(name): value for name, value in given.items()}
@@ -81,7 +86,7 @@ def c_backend(library: Library, scalar: str, vehicle: Plant) -> Backend:
             return library.reaching(states.g, states.nu, **also)
         references = (states.g_r, states.nu_r, states.nu_r_dot) if vehicle.has_reference else ()
         law = library.control if routine == "control" else library.tracking
-        return law(states.g, states.nu, *references, **also)
+        return _without(law(states.g, states.nu, *references, **also), *KEPT)
 
     def check_params(given: Mapping[str, Any]) -> int:
         return int(library.check_params(given))
@@ -120,6 +125,6 @@ def backends(
     return found, module, missing
 
 
-def _without_status(command: Outputs) -> Outputs:
-    """A bare law judges nothing."""
-    return {name: value for name, value in command.items() if name != "status"}
+def _without(command: Outputs, *names: str) -> Outputs:
+    """A bare law judges nothing, and what a caller keeps is no part of a command."""
+    return {name: value for name, value in command.items() if name not in names}

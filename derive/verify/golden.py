@@ -89,16 +89,18 @@ def _good(vehicle: Plant, rung: Rung, place: int, is_pole: bool, kind: Scalar) -
     None too at -i itself, where the truth knows of no rate, not even a smooth law's.
     """
     given = _given(vehicle, rung, place, kind.name)
+    seen = given if vehicle.hysteresis is None else _nearer(vehicle, given)
     try:
-        found = {} if is_pole else _truth(vehicle, given)
+        found = {} if is_pole else _truth(vehicle, seen)
     except ZeroDivisionError:
         return None
-    off = clearance(vehicle, turns(vehicle, found) if found else _turns(vehicle, given))
-    margins = [kind.near_cut, *([kind.refused] if is_pole else [])]
+    error = turns(vehicle, found) if found else _turns(vehicle, given)
+    off = clearance(vehicle, error) if vehicle.hysteresis is None else error[0].q[0]
+    margins = [vehicle.hysteresis or kind.near_cut, *([kind.refused] if is_pole else [])]
     if any(abs(off / float(margin) - 1) < UNSURE for margin in margins):
         return None
     refused = is_pole and off < float(kind.refused)
-    near = "NEAR_CUT_LOCUS" if off < float(kind.near_cut) else "OK"
+    near = "NEAR_CUT_LOCUS" if off < float(margins[0]) else "OK"
     return {
         "doc": f"{rung.doc}{_moves(rung)}" if vehicle.has_reference else rung.doc,
         "is_moving": rung.is_moving,
@@ -107,6 +109,12 @@ def _good(vehicle: Plant, rung: Rung, place: int, is_pole: bool, kind: Scalar) -
         "clearance": float(off) if is_pole else 1.0,
         "known": {} if refused else _known(vehicle, given, found or _truth(vehicle, given)),
     }
+
+
+def _nearer(vehicle: Plant, given: Numbers) -> Numbers:
+    """The same, the reference's quaternion negated where that makes the error the nearer one."""
+    q = truth.error(vehicle.group, given["g_r"], given["g"])
+    return {**given, "g_r": [-x for x in given["g_r"]]} if q[0] < 0 else given
 
 
 def _moves(rung: Rung) -> str:

@@ -39,11 +39,15 @@ def guard(subject: Subject) -> Iterator[Check]:
 def _lets_through(subject: Subject, backend: Backend) -> Check:
     """Equal to the bare law bit for bit, with the status that the truth's clearance asks for.
 
-    Where the vehicle has limits, the force is the bare one within them.
+    Where the vehicle has limits, the force is the bare one within them; where it takes the shorter
+    way round, the law is that of the nearer quaternion.
     """
     batch = at_rest(subject.vehicle, backend.scalar, subject.each, subject.seed)
-    command, bare = (backend.run(name, batch.states) for name in ("control", subject.law))
+    command = backend.run("control", batch.states)
+    bare = backend.run(subject.law, _as_taken(subject.vehicle, batch.states))
     clearance = batch.truth.branches[0]["clearance"][0][:, 0]
+    if subject.vehicle.hysteresis is not None:
+        clearance = np.abs(batch.states.g[:, 0])
     expected, is_sure = _status(subject, clearance, backend.scalar)
     is_over, is_kept = _within(subject.vehicle, backend.scalar, bare["force"], command["force"])
     expected = np.maximum(expected, np.where(is_over, VALUE["SATURATED"], VALUE["OK"]))
@@ -53,6 +57,13 @@ def _lets_through(subject: Subject, backend: Backend) -> Check:
     differ.append(np.where(refused[:, 0], (command["force"] != 0).any(-1), ~is_kept))
     bad = is_sure & (np.any(differ, axis=0) | (command["status"] != expected))
     return rows("control: the law, and its status", backend.name, bad, batch.states)
+
+
+def _as_taken(vehicle: Plant, states: States) -> States:
+    """States at rest at the identity, of quaternions the nearer where that is what is taken."""
+    if vehicle.hysteresis is None:
+        return states
+    return replace(states, g=np.where(states.g[:, :1] < 0, -states.g, states.g))
 
 
 def _within(vehicle: Plant, scalar: str, bare: Array, found: Array) -> tuple[Array, Array]:
@@ -77,7 +88,9 @@ def _within(vehicle: Plant, scalar: str, bare: Array, found: Array) -> tuple[Arr
 def _status(subject: Subject, clearance: Array, scalar: str) -> tuple[Array, Array]:
     """Status by clearance, and where rounding cannot move it."""
     kind, law = SCALARS[scalar], laws_of(lie_group(subject.vehicle))[subject.vehicle.law]
-    near, refused = float(kind.near_cut), float(kind.refused) if law.is_pole else 0.0
+    is_pole = law.is_pole and subject.vehicle.hysteresis is None
+    near = float(subject.vehicle.hysteresis or kind.near_cut)
+    refused = float(kind.refused) if is_pole else 0.0
     status = np.where(clearance < near, VALUE["NEAR_CUT_LOCUS"], VALUE["OK"])
     status = np.where(clearance < refused, VALUE["OUT_OF_RANGE"], status)
     off = [np.abs(clearance - at) > UNSURE * at for at in (near, refused) if at > 0]

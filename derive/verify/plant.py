@@ -20,6 +20,7 @@ class Plant:
 
     force_limit, saturation: what `control` keeps the force to, n numbers, and whether it keeps
         its "direction" or cuts each "axis"; empty where it keeps to nothing
+    hysteresis: where `control` takes the error q or -q, by how much it keeps to its choice
     own:     n matrices (m, m), the basis of a user's group; None for a group known by its name
     options: of "external" and "momentum", what the state holds besides
     """
@@ -33,6 +34,7 @@ class Plant:
     options: tuple[str, ...] = ()
     force_limit: tuple[Fraction, ...] = ()
     saturation: str = ""
+    hysteresis: Fraction | None = None
 
     @property
     def space(self) -> str | tuple[Rows, ...]:

@@ -52,6 +52,7 @@ class Rung:
     axis:      by number; any where None
     of_state:  whether g is turned so, whatever the error is then
     pace:      what velocities and loads are multiplied with
+    is_half:   whether the cut is meant that is half as far: where the shorter way changes
     """
 
     rest: str
@@ -60,10 +61,11 @@ class Rung:
     axis: int | None = None
     of_state: bool = False
     pace: float = 1.0
+    is_half: bool = False
 
     def angle(self, cut: Any) -> Any:
         """The angle to 130 digits, of a factor with its cut there."""
-        return cut * self.at_cut + mp.mpf(self.rest)
+        return cut * self.at_cut / (1 + self.is_half) + mp.mpf(self.rest)
 
     @property
     def doc(self) -> str:
@@ -72,9 +74,9 @@ class Rung:
         what += "state" if self.of_state else "error"
         if not self.at_cut:
             return f"{what} {self.rest} rad"
-        rest = self.rest.lstrip("-")
+        rest, cut = self.rest.lstrip("-"), "half a turn" if self.is_half else "the cut"
         side = "before" if self.rest.startswith("-") else "beyond"
-        return f"{what} {rest} rad {side} the cut" if float(rest) else f"{what} at the cut"
+        return f"{what} {rest} rad {side} {cut}" if float(rest) else f"{what} at {cut}"
 
 
 def ladder(vehicle: Plant, scalar: str, *, is_pole: bool) -> Iterator[Rung]:
@@ -94,7 +96,16 @@ def ladder(vehicle: Plant, scalar: str, *, is_pole: bool) -> Iterator[Rung]:
         yield from (Rung(*one) for one in FEW)
     if is_pole and not vehicle.is_attitude:
         yield Rung(f"-{CLOSE[scalar]}", False, True)  # refused, so that it needs no truth
+    if vehicle.hysteresis is not None:
+        yield from _at_half(scalar)
     yield from _at_cut(vehicle, scalar)
+
+
+def _at_half(scalar: str) -> Iterator[Rung]:
+    """Either side of half a turn, where q and -q are as far."""
+    for rest in ("1e-2", "1e-3", CLOSE[scalar]):
+        yield from (Rung(one, True, True, is_half=True) for one in (f"-{rest}", rest))
+    yield from (Rung("0", False, True, axis, is_half=True) for axis in range(3))
 
 
 def _at_cut(vehicle: Plant, scalar: str) -> Iterator[Rung]:

@@ -125,6 +125,7 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
         SHARED,
         first(r"return \(part < share\) \? part", "return part ? part"),
     ),
+    "a limit that is no number": (SHARED, first(r"limit\[2\] > 0\.0F", "1")),
     "an infinite force that is cut": (LIMITED, first(r"isfinite\(force\[2\]\)", "1")),
 }
 """Of which vehicle what code is harmed: there must be a failure, or a crash."""

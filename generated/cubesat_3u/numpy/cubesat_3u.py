@@ -259,7 +259,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
     cut = force * share
     cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
-    usable = np.isfinite(force).all(-1)
+    usable = (np.isfinite(force) & (limit > 0.0)).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status

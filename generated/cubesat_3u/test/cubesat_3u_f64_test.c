@@ -1225,7 +1225,7 @@ static int hollow_failures(void)
     return bare_failures(&hollow, &hollow.truth);
 }
 
-/* A limit at a time, of a force that it is to hold. */
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
 static int limit_failures(void)
 {
     trial one;
@@ -1240,6 +1240,10 @@ static int limit_failures(void)
         }
         one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, CUBESAT_3U_F64_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, CUBESAT_3U_F64_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0;
+        failures += !is_told(&one, CUBESAT_3U_F64_NONFINITE_INPUT);
     }
     return failures;
 }

@@ -865,7 +865,7 @@ static int hollow_failures(void)
     return bare_failures(&hollow, &hollow.truth);
 }
 
-/* A limit at a time, of a force that it is to hold. */
+/* A limit at a time, of a force that it is to hold; what is no limit is refused. */
 static int limit_failures(void)
 {
     trial one;
@@ -880,6 +880,10 @@ static int limit_failures(void)
         }
         one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, FREEFLYER_F32_SATURATED);
+        one.params.force_limit[i] = NOT_A_NUMBER;
+        failures += !is_told(&one, FREEFLYER_F32_NONFINITE_INPUT);
+        one.params.force_limit[i] = -1.0F;
+        failures += !is_told(&one, FREEFLYER_F32_NONFINITE_INPUT);
     }
     return failures;
 }

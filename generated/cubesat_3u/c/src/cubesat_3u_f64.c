@@ -584,7 +584,8 @@ static cubesat_3u_f64_status cubesat_3u_f64_saturate(const cubesat_3u_f64_params
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
+            && isfinite(force[2]) && limit[2] > 0.0)) {
         cubesat_3u_f64_nothing(command);
         return CUBESAT_3U_F64_NONFINITE_INPUT;
     }

@@ -531,7 +531,8 @@ static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *p
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0F && isfinite(force[1]) && limit[1] > 0.0F
+            && isfinite(force[2]) && limit[2] > 0.0F)) {
         quadrotor_f32_nothing(command);
         return QUADROTOR_F32_NONFINITE_INPUT;
     }

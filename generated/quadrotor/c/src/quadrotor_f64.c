@@ -544,7 +544,8 @@ static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *p
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
+            && isfinite(force[2]) && limit[2] > 0.0)) {
         quadrotor_f64_nothing(command);
         return QUADROTOR_F64_NONFINITE_INPUT;
     }

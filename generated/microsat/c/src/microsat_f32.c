@@ -1,0 +1,704 @@
+/*
+ * microsat_f32: gsmc on S3, law log (the rotation vector), float precision.
+ * Every step below carries its quantity, unit and equation; trace.csv lists them by line.
+ */
+#include "microsat_f32.h"
+
+#include <math.h>
+
+#ifdef MICROSAT_CHECK_POINTERS /* that none is null: a precondition, which the self-test checks */
+#include <stddef.h>
+#endif
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "leave out -ffast-math, -Ofast, -ffinite-math-only: control must see NaN and infinity"
+#endif
+
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "leave out -funsafe-math-optimizations: every target must round alike"
+#endif
+
+#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
+#endif
+
+const microsat_f32_params microsat_f32_defaults = {
+    {2.31F, 0.04F, -0.02F, 2.54F, 0.03F, 2.76F},
+    0.05F, /* lambda */
+    0.15F, /* k_s */
+    {0.02F, 0.02F, 0.02F}, /* force_limit */
+    0.0001F /* max_drift */
+};
+
+/* Kernel function k(w) on 0 <= w <= 1, a polynomial in 1 - w. */
+static inline float microsat_f32_k(const float w)
+{
+    const float z = 1.0F - w;
+    float sum = 0.0113573875F;
+    sum = sum * z - 0.03345748F;
+    sum = sum * z + 0.05257884F;
+    sum = sum * z - 0.03515102F;
+    sum = sum * z + 0.03098574F;
+    sum = sum * z + 0.019848673F;
+    sum = sum * z + 0.058037706F;
+    sum = sum * z + 0.13326089F;
+    sum = sum * z + 0.33333558F;
+    sum = sum * z + 1.0F;
+    return sum;
+}
+
+/* A command that asks for nothing; number by number, since memset is of no use without libc. */
+static void microsat_f32_nothing(microsat_f32_command *command)
+{
+    command->force[0] = 0.0F;
+    command->force[1] = 0.0F;
+    command->force[2] = 0.0F;
+    command->s[0] = 0.0F;
+    command->s[1] = 0.0F;
+    command->s[2] = 0.0F;
+    command->nu_u[0] = 0.0F;
+    command->nu_u[1] = 0.0F;
+    command->nu_u[2] = 0.0F;
+    command->nu_u_dot[0] = 0.0F;
+    command->nu_u_dot[1] = 0.0F;
+    command->nu_u_dot[2] = 0.0F;
+}
+
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
+        the cut locus. */
+static float microsat_f32_law(const microsat_f32_params *params, const microsat_f32_state *state,
+        const microsat_f32_reference *reference, microsat_f32_command *command, const float g_e_0,
+        const float g_e_1, const float g_e_2, const float g_e_3)
+{
+    /* -- tracking -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const float rate_gain = params->lambda;
+    const float reach_gain = params->k_s;
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const float nu_r_0 = reference->nu[0], nu_r_1 = reference->nu[1], nu_r_2 = reference->nu[2];
+    const float nu_r_dot_0 = reference->nu_dot[0], nu_r_dot_1 = reference->nu_dot[1],
+        nu_r_dot_2 = reference->nu_dot[2];
+
+    /* double: twice the vector part [1] */
+    const float double_0 = 2.0F*g_e_1;
+    const float double_1 = 2.0F*g_e_2;
+    const float double_2 = 2.0F*g_e_3;
+
+    /* to_body: Ad of g_e^-1: reference to body frame [1] */
+    const float to_body_0 = 1.0F - double_1*g_e_2 - double_2*g_e_3;
+    const float to_body_1 = double_0*g_e_2 + double_2*g_e_0;
+    const float to_body_2 = double_0*g_e_3 - double_1*g_e_0;
+    const float to_body_3 = double_0*g_e_2 - double_2*g_e_0;
+    const float to_body_4 = 1.0F - double_0*g_e_1 - double_2*g_e_3;
+    const float to_body_5 = double_0*g_e_0 + double_1*g_e_3;
+    const float to_body_6 = double_0*g_e_3 + double_1*g_e_0;
+    const float to_body_7 = double_1*g_e_3 - double_0*g_e_0;
+    const float to_body_8 = 1.0F - double_0*g_e_1 - double_1*g_e_2;
+
+    /* eta: reference velocity in the body frame [rad/s], eq. (velErr) */
+    const float eta_0 = nu_r_0*to_body_0 + nu_r_1*to_body_1 + nu_r_2*to_body_2;
+    const float eta_1 = nu_r_0*to_body_3 + nu_r_1*to_body_4 + nu_r_2*to_body_5;
+    const float eta_2 = nu_r_0*to_body_6 + nu_r_1*to_body_7 + nu_r_2*to_body_8;
+
+    /* nu_e: velocity error [rad/s], eq. (velErr) */
+    const float nu_e_0 = nu_0 - eta_0;
+    const float nu_e_1 = nu_1 - eta_1;
+    const float nu_e_2 = nu_2 - eta_2;
+
+    /* eta_dot: exact rate of eta [rad/s^2] */
+    const float eta_dot_0 = eta_1*nu_e_2 + nu_r_dot_0*to_body_0 + nu_r_dot_1*to_body_1 +
+        nu_r_dot_2*to_body_2 - eta_2*nu_e_1;
+    const float eta_dot_1 = eta_2*nu_e_0 + nu_r_dot_0*to_body_3 + nu_r_dot_1*to_body_4 +
+        nu_r_dot_2*to_body_5 - eta_0*nu_e_2;
+    const float eta_dot_2 = eta_0*nu_e_1 + nu_r_dot_0*to_body_6 + nu_r_dot_1*to_body_7 +
+        nu_r_dot_2*to_body_8 - eta_1*nu_e_0;
+
+    /* square: square of its vector part [1] */
+    const float square = g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_e_0*g_e_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
+
+    /* scale: to unit length [1] */
+    const float scale = 1.0F/norm;
+
+    /* w: cos of half the error angle [1] */
+    const float w = g_e_0*scale;
+
+    /* k_near: half angle over its sine, for |w| [1] */
+    const float k_near = microsat_f32_k(fabsf(w));
+
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
+
+    /* k: half angle over its sine, on to 2 pi [1] */
+    float k;
+    if (w >= 0.0F) {
+        k = k_near;
+    } else {
+        k = 3.1415927F/distance - k_near;
+    }
+
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
+
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
+
+    /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
+    const float nu_u_0 = g_e_1*stretch;
+    const float nu_u_1 = g_e_2*stretch;
+    const float nu_u_2 = g_e_3*stretch;
+
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
+    const float turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
+    const float turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
+
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
+    const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
+    const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
+
+    /* nu_u_dot: exact rate of nu_u [rad/s] */
+    const float nu_u_dot_0 = nu_e_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_e_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_e_2 + bend_2*h_raw + reach*turn_2;
+
+    /* drive: lambda nu_u [rad/s] */
+    const float drive_0 = nu_u_0*rate_gain;
+    const float drive_1 = nu_u_1*rate_gain;
+    const float drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [rad/s], eq. (SurfaceErr) */
+    const float s_0 = drive_0 + nu_e_0;
+    const float s_1 = drive_1 + nu_e_1;
+    const float s_2 = drive_2 + nu_e_2;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const float wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0;
+    const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
+    const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
+
+    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
+    const float turning_0 = s_0 - nu_0;
+    const float turning_1 = s_1 - nu_1;
+    const float turning_2 = s_2 - nu_2;
+
+    /* momentum: I nu [N m s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const float momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const float momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [N m], eq. (TckCtrl) */
+    const float force_0 = inertia_0*wanted_0 + inertia_1*wanted_1 + inertia_2*wanted_2 +
+        momentum_1*turning_2 - momentum_2*turning_1;
+    const float force_1 = inertia_1*wanted_0 + inertia_3*wanted_1 + inertia_4*wanted_2 +
+        momentum_2*turning_0 - momentum_0*turning_2;
+    const float force_2 = inertia_2*wanted_0 + inertia_4*wanted_1 + inertia_5*wanted_2 +
+        momentum_0*turning_1 - momentum_1*turning_0;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+    return distance;
+}
+
+/* pivots of the inertia: all positive for a valid one. */
+static void microsat_f32_definiteness(const microsat_f32_params *params, float pivot[3])
+{
+    /* -- definiteness -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+
+    /* divisor_0: the pivot, or 1 where it is not positive [kg m^2] */
+    float divisor_0;
+    if (inertia_0 > 0.0F) {
+        divisor_0 = inertia_0;
+    } else {
+        divisor_0 = 1.0F;
+    }
+
+    /* lower_10: I = L D L^T, entry of L [1] */
+    const float lower_10 = inertia_1/divisor_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const float lower_20 = inertia_2/divisor_0;
+
+    /* pivot_1: pivot of I [kg m^2] */
+    const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
+
+    /* divisor_1: the pivot, or 1 where it is not positive [kg m^2] */
+    float divisor_1;
+    if (pivot_1 > 0.0F) {
+        divisor_1 = pivot_1;
+    } else {
+        divisor_1 = 1.0F;
+    }
+
+    /* lower_21: I = L D L^T, entry of L [1] */
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/divisor_1;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
+
+    /* -- end -- */
+    pivot[0] = inertia_0;
+    pivot[1] = pivot_1;
+    pivot[2] = pivot_2;
+}
+
+void microsat_f32_tracking(const microsat_f32_params *params, const microsat_f32_state *state,
+        const microsat_f32_reference *reference, microsat_f32_command *command)
+{
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    (void)microsat_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);
+}
+
+void microsat_f32_reaching(const microsat_f32_params *params, const microsat_f32_state *state,
+        microsat_f32_command *command)
+{
+    /* -- reaching -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const float rate_gain = params->lambda;
+    const float reach_gain = params->k_s;
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+
+    /* square: square of its vector part [1] */
+    const float square = g_1*g_1 + g_2*g_2 + g_3*g_3;
+
+    /* norm_square: its squared length [1] */
+    const float norm_square = square + g_0*g_0;
+
+    /* norm_bounded: the same: less is no element [1] */
+    float norm_bounded;
+    if (norm_square < 0.75F) {
+        norm_bounded = 0.75F;
+    } else {
+        norm_bounded = norm_square;
+    }
+
+    /* norm: its length [1] */
+    const float norm = sqrtf(norm_bounded);
+
+    /* scale: to unit length [1] */
+    const float scale = 1.0F/norm;
+
+    /* w: cos of half the error angle [1] */
+    const float w = g_0*scale;
+
+    /* k_near: half angle over its sine, for |w| [1] */
+    const float k_near = microsat_f32_k(fabsf(w));
+
+    /* divisor: the same, never zero [1] */
+    float divisor;
+    if (w >= 0.0F) {
+        divisor = square + 1.0e-8F;
+    } else if (square > (5.0e-8F*5.0e-8F)) {
+        divisor = square;
+    } else {
+        divisor = 5.0e-8F*5.0e-8F;
+    }
+
+    /* distance: distance from -i: |v| beyond pi, and 1 before [1] */
+    float distance;
+    if (w >= 0.0F) {
+        distance = 1.0F;
+    } else {
+        distance = scale*sqrtf(divisor);
+    }
+
+    /* k: half angle over its sine, on to 2 pi [1] */
+    float k;
+    if (w >= 0.0F) {
+        k = k_near;
+    } else {
+        k = 3.1415927F/distance - k_near;
+    }
+
+    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    const float h_raw = (1.0F - k*w)/divisor;
+
+    /* reach: p by the scale, but for a number [1] */
+    const float reach = k*scale;
+
+    /* stretch: ratio of nu_u to the vector part [1] */
+    const float stretch = 2.0F*reach;
+
+    /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
+    const float nu_u_0 = g_1*stretch;
+    const float nu_u_1 = g_2*stretch;
+    const float nu_u_2 = g_3*stretch;
+
+    /* turn: vector part x nu_e, its share [rad/s] */
+    const float turn_0 = g_2*nu_2 - g_3*nu_1;
+    const float turn_1 = g_3*nu_0 - g_1*nu_2;
+    const float turn_2 = g_1*nu_1 - g_2*nu_0;
+
+    /* bend: vector part x that [rad/s] */
+    const float bend_0 = g_2*turn_2 - g_3*turn_1;
+    const float bend_1 = g_3*turn_0 - g_1*turn_2;
+    const float bend_2 = g_1*turn_1 - g_2*turn_0;
+
+    /* nu_u_dot: exact rate of nu_u [rad/s] */
+    const float nu_u_dot_0 = nu_0 + bend_0*h_raw + reach*turn_0;
+    const float nu_u_dot_1 = nu_1 + bend_1*h_raw + reach*turn_1;
+    const float nu_u_dot_2 = nu_2 + bend_2*h_raw + reach*turn_2;
+
+    /* drive: lambda nu_u [rad/s] */
+    const float drive_0 = nu_u_0*rate_gain;
+    const float drive_1 = nu_u_1*rate_gain;
+    const float drive_2 = nu_u_2*rate_gain;
+
+    /* s: sliding variable [rad/s], eq. (sldS) */
+    const float s_0 = drive_0 + nu_0;
+    const float s_1 = drive_1 + nu_1;
+    const float s_2 = drive_2 + nu_2;
+
+    /* wanted: acceleration asked for [rad/s^2] */
+    const float wanted_0 = -(nu_u_dot_0*rate_gain + reach_gain*s_0);
+    const float wanted_1 = -(nu_u_dot_1*rate_gain + reach_gain*s_1);
+    const float wanted_2 = -(nu_u_dot_2*rate_gain + reach_gain*s_2);
+
+    /* momentum: I nu [N m s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const float momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const float momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* force: control force, I f_u [N m], eq. (Ctrl2) */
+    const float force_0 = drive_2*momentum_1 + inertia_0*wanted_0 + inertia_1*wanted_1 +
+        inertia_2*wanted_2 - drive_1*momentum_2;
+    const float force_1 = drive_0*momentum_2 + inertia_1*wanted_0 + inertia_3*wanted_1 +
+        inertia_4*wanted_2 - drive_2*momentum_0;
+    const float force_2 = drive_1*momentum_0 + inertia_2*wanted_0 + inertia_4*wanted_1 +
+        inertia_5*wanted_2 - drive_0*momentum_1;
+
+    /* -- end -- */
+    command->force[0] = force_0;
+    command->force[1] = force_1;
+    command->force[2] = force_2;
+    command->s[0] = s_0;
+    command->s[1] = s_1;
+    command->s[2] = s_2;
+    command->nu_u[0] = nu_u_0;
+    command->nu_u[1] = nu_u_1;
+    command->nu_u[2] = nu_u_2;
+    command->nu_u_dot[0] = nu_u_dot_0;
+    command->nu_u_dot[1] = nu_u_dot_1;
+    command->nu_u_dot[2] = nu_u_dot_2;
+}
+
+void microsat_f32_plant(const microsat_f32_params *params, const microsat_f32_state *state,
+        const float force[3], float nu_dot[3])
+{
+    /* -- plant -- */
+    const float inertia_0 = params->inertia[0], inertia_1 = params->inertia[1],
+        inertia_2 = params->inertia[2], inertia_3 = params->inertia[3],
+        inertia_4 = params->inertia[4], inertia_5 = params->inertia[5];
+    const float nu_0 = state->nu[0], nu_1 = state->nu[1], nu_2 = state->nu[2];
+    const float force_0 = force[0], force_1 = force[1], force_2 = force[2];
+
+    /* momentum: I nu [N m s] */
+    const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;
+    const float momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2;
+    const float momentum_2 = inertia_2*nu_0 + inertia_4*nu_1 + inertia_5*nu_2;
+
+    /* total: coad(nu) I nu + force [N m] */
+    const float total_0 = force_0 + momentum_1*nu_2 - momentum_2*nu_1;
+    const float total_1 = force_1 + momentum_2*nu_0 - momentum_0*nu_2;
+    const float total_2 = force_2 + momentum_0*nu_1 - momentum_1*nu_0;
+
+    /* lower_10: I = L D L^T, entry of L [1] */
+    const float lower_10 = inertia_1/inertia_0;
+
+    /* lower_20: I = L D L^T, entry of L [1] */
+    const float lower_20 = inertia_2/inertia_0;
+
+    /* pivot_1: pivot of I [kg m^2] */
+    const float pivot_1 = inertia_3 - inertia_0*lower_10*lower_10;
+
+    /* lower_21: I = L D L^T, entry of L [1] */
+    const float lower_21 = (inertia_4 - inertia_0*lower_10*lower_20)/pivot_1;
+
+    /* pivot_2: pivot of I [kg m^2] */
+    const float pivot_2 = inertia_5 - inertia_0*lower_20*lower_20 - pivot_1*lower_21*lower_21;
+
+    /* forward_1: forward substitution [N m] */
+    const float forward_1 = total_1 - lower_10*total_0;
+
+    /* forward_2: forward substitution [N m] */
+    const float forward_2 = total_2 - forward_1*lower_21 - lower_20*total_0;
+
+    /* back_2: back substitution [rad/s^2] */
+    const float back_2 = forward_2/pivot_2;
+
+    /* back_1: back substitution [rad/s^2] */
+    const float back_1 = forward_1/pivot_1 - back_2*lower_21;
+
+    /* back_0: back substitution [rad/s^2] */
+    const float back_0 = total_0/inertia_0 - back_1*lower_10 - back_2*lower_20;
+
+    /* -- end -- */
+    nu_dot[0] = back_0;
+    nu_dot[1] = back_1;
+    nu_dot[2] = back_2;
+}
+
+/* The worse of two findings. */
+static microsat_f32_status microsat_f32_worse(const microsat_f32_status a,
+        const microsat_f32_status b)
+{
+    return a > b ? a : b;
+}
+
+/* OUT_OF_RANGE or NONFINITE_INPUT if any number is larger than a limit or not finite. */
+static microsat_f32_status microsat_f32_inspect(const float *numbers, const int count,
+        const float limit)
+{
+    microsat_f32_status worst = MICROSAT_F32_OK;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) {
+            worst = MICROSAT_F32_NONFINITE_INPUT;
+        } else if (fabsf(numbers[i]) > limit) {
+            worst = microsat_f32_worse(worst, MICROSAT_F32_OUT_OF_RANGE);
+        }
+    }
+    return worst;
+}
+
+/* Zero command; its status says what is wrong with what was refused, at least what was found. */
+static microsat_f32_status microsat_f32_refuse(const microsat_f32_state *state,
+        const microsat_f32_reference *reference, const microsat_f32_status found,
+        microsat_f32_command *command)
+{
+    microsat_f32_status worst = found;
+    worst = microsat_f32_worse(worst,
+            microsat_f32_inspect(state->g, 4, MICROSAT_F32_MAX_INPUT));
+    worst = microsat_f32_worse(worst,
+            microsat_f32_inspect(state->nu, 3, MICROSAT_F32_MAX_INPUT));
+    worst = microsat_f32_worse(worst,
+            microsat_f32_inspect(reference->g, 4, MICROSAT_F32_MAX_INPUT));
+    worst = microsat_f32_worse(worst,
+            microsat_f32_inspect(reference->nu, 3, MICROSAT_F32_MAX_INPUT));
+    worst = microsat_f32_worse(worst,
+            microsat_f32_inspect(reference->nu_dot, 3, MICROSAT_F32_MAX_INPUT));
+    microsat_f32_nothing(command);
+    return worst;
+}
+
+/* The share of a force that its limit leaves, if that is less than another share. */
+static float microsat_f32_share(const float share, const float force,
+        const float limit)
+{
+    const float size = fabsf(force);
+    const float part = (size > limit) ? limit/size : share;
+    return (part < share) ? part : share;
+}
+
+/* A force cut at its limit. */
+static float microsat_f32_cut(const float force, const float limit)
+{
+    const float most = (force > 0.0F) ? limit : -limit;
+    return (fabsf(force) <= limit) ? force : most;
+}
+
+/* The force within its limits, shrunk as a whole, so that its direction stays. */
+static microsat_f32_status microsat_f32_saturate(const microsat_f32_params *params,
+        microsat_f32_command *command)
+{
+    float *const force = command->force;
+    const float *const limit = params->force_limit;
+    float share = 1.0F;
+    if (!(isfinite(force[0]) && limit[0] > 0.0F && isfinite(force[1]) && limit[1] > 0.0F
+            && isfinite(force[2]) && limit[2] > 0.0F)) {
+        microsat_f32_nothing(command);
+        return MICROSAT_F32_NONFINITE_INPUT;
+    }
+    share = microsat_f32_share(share, force[0], limit[0]);
+    share = microsat_f32_share(share, force[1], limit[1]);
+    share = microsat_f32_share(share, force[2], limit[2]);
+    force[0] = microsat_f32_cut(force[0]*share, limit[0]);
+    force[1] = microsat_f32_cut(force[1]*share, limit[1]);
+    force[2] = microsat_f32_cut(force[2]*share, limit[2]);
+    return MICROSAT_F32_SATURATED;
+}
+
+/* What a computed command is worth, given the scalar part of the error; a good one settles its
+        sign. */
+static microsat_f32_status microsat_f32_verdict(const microsat_f32_params *params,
+        const float clearance, const float sign, microsat_f32_side *side,
+        microsat_f32_command *command)
+{
+    microsat_f32_status status = MICROSAT_F32_OK;
+    if (!(fabsf(command->force[0]) <= params->force_limit[0]
+            && fabsf(command->force[1]) <= params->force_limit[1]
+            && fabsf(command->force[2]) <= params->force_limit[2])) {
+        status = microsat_f32_saturate(params, command);
+        if (status == MICROSAT_F32_NONFINITE_INPUT) {
+            return status;
+        }
+    }
+    side->sign = sign;
+    return clearance < MICROSAT_F32_HYSTERESIS ? MICROSAT_F32_NEAR_CUT_LOCUS : status;
+}
+
+/* The sign of the error that is driven to the identity: the nearer one while none is chosen, then
+   the same until the other is nearer by the hysteresis. Whatever bits are kept, they mean one. */
+static float microsat_f32_chosen(const float kept, const float w)
+{
+    float least = 0.0F;
+    if (kept > 0.0F) {
+        least = -MICROSAT_F32_HYSTERESIS;
+    }
+    if (kept < 0.0F) {
+        least = MICROSAT_F32_HYSTERESIS;
+    }
+    return (w < least) ? -1.0F : 1.0F;
+}
+
+microsat_f32_status microsat_f32_control(const microsat_f32_params *params,
+        const microsat_f32_state *state, const microsat_f32_reference *reference,
+        microsat_f32_side *side, microsat_f32_command *command)
+{
+    float sign;
+#ifdef MICROSAT_CHECK_POINTERS
+    if (params == NULL || state == NULL || reference == NULL || side == NULL || command == NULL) {
+        return MICROSAT_F32_BAD_PARAMS;
+    }
+#endif
+    /* -- tracking -- */
+    const float g_0 = state->g[0], g_1 = state->g[1], g_2 = state->g[2], g_3 = state->g[3];
+    const float g_r_0 = reference->g[0], g_r_1 = reference->g[1], g_r_2 = reference->g[2],
+        g_r_3 = reference->g[3];
+
+    /* g_e: error, g_r^-1 g [1], eq. (velErr) */
+    const float g_e_0 = g_0*g_r_0 + g_1*g_r_1 + g_2*g_r_2 + g_3*g_r_3;
+    const float g_e_1 = g_1*g_r_0 + g_2*g_r_3 - g_0*g_r_1 - g_3*g_r_2;
+    const float g_e_2 = g_2*g_r_0 + g_3*g_r_1 - g_0*g_r_2 - g_1*g_r_3;
+    const float g_e_3 = g_1*g_r_2 + g_3*g_r_0 - g_0*g_r_3 - g_2*g_r_1;
+
+    /* -- end -- */
+    if (!(fabsf(g_e_0) <= MICROSAT_F32_MAX_ENTRY && fabsf(g_e_1) <= MICROSAT_F32_MAX_ENTRY
+            && fabsf(g_e_2) <= MICROSAT_F32_MAX_ENTRY && fabsf(g_e_3) <= MICROSAT_F32_MAX_ENTRY
+            && fabsf(state->nu[0]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(state->nu[1]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(state->nu[2]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(reference->nu[0]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(reference->nu[1]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(reference->nu[2]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[0]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[1]) <= MICROSAT_F32_MAX_INPUT
+            && fabsf(reference->nu_dot[2]) <= MICROSAT_F32_MAX_INPUT)) {
+        return microsat_f32_refuse(state, reference, MICROSAT_F32_NOT_ON_GROUP, command);
+    }
+    /* -- drift -- */
+
+    /* off: what vanishes on the group, and only there [1] */
+    const float off_0 = g_e_0*g_e_0 - 1.0F + g_e_1*g_e_1 + g_e_2*g_e_2 + g_e_3*g_e_3;
+
+    /* drift: square of the distance from the group [1] */
+    const float drift = off_0*off_0;
+
+    /* -- end -- */
+
+    if (!(drift <= params->max_drift*params->max_drift)) {
+        return microsat_f32_refuse(state, reference, MICROSAT_F32_NOT_ON_GROUP, command);
+    }
+    sign = microsat_f32_chosen(side->sign, g_e_0);
+    (void)microsat_f32_law(params, state, reference, command, sign*g_e_0, sign*g_e_1, sign*g_e_2,
+            sign*g_e_3);
+    return microsat_f32_verdict(params, sign*g_e_0, sign, side, command);
+}
+
+microsat_f32_status microsat_f32_check_params(const microsat_f32_params *params)
+{
+#ifdef MICROSAT_CHECK_POINTERS
+    if (params == NULL) {
+        return MICROSAT_F32_BAD_PARAMS;
+    }
+#endif
+    float pivot[3];
+    int i;
+    if (microsat_f32_inspect(params->inertia, 6, MICROSAT_F32_MAX_PARAM) != MICROSAT_F32_OK) {
+        return MICROSAT_F32_BAD_PARAMS;
+    }
+    if (!(params->lambda >= MICROSAT_F32_MIN_GAIN && params->lambda <= MICROSAT_F32_MAX_RATE)) {
+        return MICROSAT_F32_BAD_PARAMS;
+    }
+    if (!(params->k_s >= MICROSAT_F32_MIN_GAIN && params->k_s <= MICROSAT_F32_MAX_RATE)) {
+        return MICROSAT_F32_BAD_PARAMS;
+    }
+    if (!(params->max_drift > 0.0F && params->max_drift <= MICROSAT_F32_MOST_DRIFT)) {
+        return MICROSAT_F32_BAD_PARAMS;
+    }
+    for (i = 0; i < 3; i++) {
+        if (!(params->force_limit[i] >= MICROSAT_F32_MIN_GAIN && params->force_limit[i] <=
+                MICROSAT_F32_MAX_PARAM)) {
+            return MICROSAT_F32_BAD_PARAMS;
+        }
+    }
+    microsat_f32_definiteness(params, pivot);
+    for (i = 0; i < 3; i++) {
+        if (!(pivot[i] > 0.0F)) {
+            return MICROSAT_F32_BAD_PARAMS;
+        }
+    }
+    return MICROSAT_F32_OK;
+}
