@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from derive import cli, dossier, folder, pipeline
 from derive.evidence import target, version
+from derive.evidence.emitted import Emitted
 from derive.verify.check import Check, Report
 from derive.verify.limits import LIMITS
 from tests.command import derive, refused
@@ -151,14 +153,19 @@ def test_a_package_that_cannot_be_written_into_is_told_before_the_work(
     assert "Permission denied" in said
 
 
-@pytest.mark.parametrize("kind", ["link", "folder", "pipe"])
+MAKE: dict[str, Callable[[Path], None]] = {
+    "link": lambda page: page.symlink_to("trace.csv"),
+    "pipe": os.mkfifo,
+    "folder": lambda page: (page / "x").mkdir(parents=True),
+}
+
+
+@pytest.mark.parametrize("kind", MAKE)
 def test_what_only_has_the_name_of_a_page_is_foreign(
     package: Path, home: Path, kind: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     page = package / PAGE
-    make = {"link": lambda: page.symlink_to("trace.csv"), "pipe": lambda: os.mkfifo(page),
-            "folder": lambda: (page.mkdir(), (page / "x").touch())}  # fmt: skip
-    make[kind]()
+    MAKE[kind](page)
     assert cli.run(["check", "body.toml"]) == 1
     assert "derive did not write it: generated/body/EVIDENCE.md" in capsys.readouterr().out
     change(package, "trace.csv")
@@ -179,7 +186,7 @@ def test_verify_runs_targets_when_asked(
     monkeypatch.setattr(pipeline, "verify", lambda *_, **options: Report("body", (usual,)))
     ran: list[str] = []
 
-    def targets(packages: list[made.Emitted], _: object) -> list[Check]:
+    def targets(packages: list[Emitted], _: object) -> list[Check]:
         ran.extend(one.prefix for one in packages if one.source.is_file())
         return [Check("same bits", "f32 RV32", len(ran), LIMITS["rows"], 1)]
 

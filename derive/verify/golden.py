@@ -77,7 +77,7 @@ def _brackets(vehicle: Plant, n: int, i: int, j: int) -> Iterator[list[Any]]:
 
 
 def _rows(vehicle: Plant, is_pole: bool, scalar: str) -> list[Row]:
-    kind, places = SCALARS[scalar], enumerate(ladder(vehicle, scalar))
+    kind, places = SCALARS[scalar], enumerate(ladder(vehicle, scalar, is_pole=is_pole))
     good = [row for i, rung in places if (row := _good(vehicle, rung, i, is_pole, kind))]
     whole = next(row for row in reversed(good) if row["status"] == "OK" and row["is_moving"])
     return good + list(_bad(vehicle, whole["given"], kind))

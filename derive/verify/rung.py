@@ -79,7 +79,7 @@ class Rung:
         return f"{what} {rest} rad {side} {cut}" if float(rest) else f"{what} at {cut}"
 
 
-def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
+def ladder(vehicle: Plant, scalar: str, *, is_pole: bool) -> Iterator[Rung]:
     """The rungs of a vehicle; a slow one and a fast one find the limits of a force."""
     yield from (Rung("1e-4", False, pace=SLOW), Rung("0.5", True, pace=FAST))
     if vehicle.own is not None:
@@ -96,6 +96,8 @@ def ladder(vehicle: Plant, scalar: str) -> Iterator[Rung]:
         yield from (Rung(*one) for one in FEW)
     if vehicle.hysteresis is not None:
         yield from _at_half(scalar)
+    if is_pole and not vehicle.is_attitude:
+        yield Rung(f"-{CLOSE[scalar]}", False, True)  # refused, so that it needs no truth
     yield from _at_cut(vehicle, scalar)
 
 

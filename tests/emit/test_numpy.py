@@ -103,19 +103,50 @@ def test_leading_axes_broadcast(folder: Path, vehicle: Vehicle) -> None:
         np.testing.assert_array_equal(spread.force[i, j], alone.force)
 
 
+MARGINS = ("force_limit", "max_drift")
+"""Parameters of `control` alone."""
+
+
+def assert_spread(run: Any, given: dict[str, Array], params: Any, name: str, batch: Array) -> Any:
+    """The batch of one parameter is its rows; what it gives."""
+    spread = run(**given, params=params._replace(**{name: batch}))
+    for k in range(len(batch)):
+        alone = run(**given, params=params._replace(**{name: batch[k]}))
+        np.testing.assert_array_equal(spread.force[k], alone.force)
+        assert spread.status[k] == alone.status
+    return spread
+
+
 @every_vehicle
 def test_every_parameter_broadcasts(folder: Path, vehicle: Vehicle) -> None:
     made, given = module(vehicle, folder), inputs(vehicle, ())
-    defaults = made.DEFAULTS
-    for name, value in defaults._asdict().items():
-        scale = np.array([1.0, 2.0, 3.0])
-        batch = np.multiply.outer(scale, value)
-        spread = made.control(**given, params=defaults._replace(**{name: batch}))
-        assert spread.force.shape == (3, group(vehicle).dim)
-        for k in range(3):
-            alone = made.control(**given, params=defaults._replace(**{name: batch[k]}))
-            np.testing.assert_array_equal(spread.force[k], alone.force)
-        assert len({tuple(force) for force in spread.force}) == 3
+    for name, value in made.DEFAULTS._asdict().items():
+        batch = np.multiply.outer([1.0, 2.0, 3.0], value)
+        for run in (made.control, *((law(made, vehicle),) if name not in MARGINS else ())):
+            spread = assert_spread(run, given, made.DEFAULTS, name, batch)
+            assert spread.force.shape == (3, group(vehicle).dim)
+        if name not in MARGINS:
+            assert len({tuple(force) for force in spread.force}) == 3
+
+
+@every_vehicle
+def test_every_margin_broadcasts(folder: Path, vehicle: Vehicle) -> None:
+    """A force within each of three limits; what is off by 1e-4 within one distance of three."""
+    made, given = module(vehicle, folder), inputs(vehicle, ())
+    fields = made.DEFAULTS._fields
+    assert ("force_limit" in fields) == bool(vehicle.limits.force)
+    if "force_limit" in fields:
+        size = np.abs(law(made, vehicle)(**given).force)
+        batch = np.multiply.outer([0.25, 0.5, 2.0], size)
+        spread = assert_spread(made.control, given, made.DEFAULTS, "force_limit", batch)
+        assert spread.status.tolist() == [made.SATURATED, made.SATURATED, made.OK]
+        np.testing.assert_allclose(np.abs(spread.force), np.minimum(batch, size), rtol=1e-15)
+    if "max_drift" in fields:
+        off = {**given, "g": given["g"] * (1 + 1e-4)}
+        batch = np.array([1e-6, 1e-5, 0.05])
+        spread = assert_spread(made.control, off, made.DEFAULTS, "max_drift", batch)
+        assert spread.status[:2].tolist() == [made.NOT_ON_GROUP] * 2
+        assert spread.status[2] < made.NOT_ON_GROUP
 
 
 @every_vehicle

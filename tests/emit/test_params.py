@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from derive.control.table import CONTROLLERS
 from derive.emit.literal import python_name
 from derive.native.load import Library, load_module
 from derive.vehicle import Vehicle
@@ -16,7 +18,8 @@ from tests.emit import subjects
 from tests.emit.subjects import ALIKE, FILES, SPARSE, Array
 
 BAD = 19
-LIMIT = 1e9
+LIMIT, RATE, MOST_DRIFT = 1e9, 1e4, 0.1
+LEAST = 1e-9
 FORMS = [*ALIKE, *(v for v in SPARSE if v.law == "log")]
 NAN, INF = float("nan"), float("inf")
 
@@ -28,11 +31,22 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("params")
 
 
+def largest(vehicle: Vehicle, name: str) -> float:
+    """What a number of the parameters may be at most."""
+    units = {gain.name: gain.unit for gain in CONTROLLERS[vehicle.controller].gains}
+    return MOST_DRIFT if name == "max_drift" else RATE if units.get(name) == "1/s" else LIMIT
+
+
+def least(name: str) -> float:
+    """And at least; a distance may be any that is more than none."""
+    return 1e-30 if name == "max_drift" else LEAST
+
+
 def upper(matrix: Array) -> Array:
     return np.asarray(matrix[np.triu_indices(len(matrix))])
 
 
-def changed(values: Array, index: int, value: float) -> Array:
+def changed(values: Array, index: int | tuple[int, ...], value: float) -> Array:
     copy = values.copy()
     copy[index] = value
     return copy
@@ -48,8 +62,11 @@ def refused(vehicle: Vehicle, defaults: dict[str, Array]) -> Iterator[Changed]:
                 name = f"inertia[{index}] = {value} where the pattern has a zero"
                 yield name, {"inertia": changed(inertia, index, value)}
     for name in defaults.keys() - {"inertia"}:
-        for value in (0.0, -0.0, -1.0, NAN, INF, 2 * LIMIT):
-            yield f"{name} = {value}", {name: np.array(value)}
+        bad = [0.0, -0.0, -1.0, -LIMIT, NAN, INF, -INF, 1.001 * largest(vehicle, name), 2 * LIMIT]
+        bad += [0.999 * LEAST] if name != "max_drift" else []
+        kept = defaults[name].astype(float)
+        for value, index in product(bad, np.ndindex(kept.shape)):
+            yield f"{name}{list(index)} = {value}", {name: changed(kept, index, value)}
     yield from indefinite(vehicle, inertia)
 
 
@@ -92,7 +109,12 @@ def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: st
     built: Library = subjects.library(vehicle, scalar, folder)
     n, pattern = len(vehicle.inertia), np.array(vehicle.pattern)
     assert built.check_params() == 0
-    assert built.constants["MAX_PARAM"] == LIMIT
+    told = {"MAX_PARAM": LIMIT, "MIN_GAIN": LEAST, "MAX_RATE": RATE, "MOST_DRIFT": MOST_DRIFT}
+    assert built.constants.items() >= {"MAX_PARAM": LIMIT, "MIN_GAIN": LEAST}.items()
+    assert all(value == told.get(name, value) for name, value in built.constants.items())
+    assert ("MOST_DRIFT" in built.constants) == ("max_drift" in built.defaults)
+    rates = [name for name, _ in vehicle.gains if largest(vehicle, name) == RATE]
+    assert ("MAX_RATE" in built.constants) == bool(rates)
     random = np.random.default_rng(5)
     for scale in (1e-9, 1.0, 1e8):
         factor = np.tril(random.uniform(0.1, 0.2, (n, n)), -1) + np.eye(n)
@@ -100,8 +122,17 @@ def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: st
         full = np.zeros((n, n))
         full[np.triu_indices(n)] = matrix
         assert np.linalg.eigvalsh(full, "U").min() > 0
-        gains = {name: LIMIT for name in built.defaults if name != "inertia"}
-        assert built.check_params(params={"inertia": matrix, **gains}) == 0
+        for others in (built.defaults, ends(vehicle, built.defaults, largest),
+                       ends(vehicle, built.defaults, lambda _, name: least(name))):  # fmt: skip
+            assert built.check_params(params={**others, "inertia": matrix}) == 0
+
+
+def ends(
+    vehicle: Vehicle, defaults: dict[str, Array], end: Callable[[Vehicle, str], float]
+) -> dict[str, Array]:
+    """Every parameter but the inertia at an end of its range."""
+    names = defaults.keys() - {"inertia"}
+    return {name: np.full(defaults[name].shape, end(vehicle, name)) for name in names}
 
 
 def in_numpy(made: Any, params: dict[str, Any]) -> Any:
@@ -117,7 +148,9 @@ def drawn(vehicle: Vehicle, defaults: dict[str, Array], count: int) -> dict[str,
     inertia += np.where(random.uniform(size=(count, 1)) < 0.2, random.normal(size=noise.shape), 0)
     params = {"inertia": inertia * 10.0 ** random.integers(-8, 9, (count, 1))}
     for name in defaults.keys() - {"inertia"}:
-        params[name] = random.normal(2, 1, count) * 10.0 ** random.integers(-30, 10, count)
+        shape = count, *defaults[name].shape
+        params[name] = random.normal(2, 1, shape) * 10.0 ** random.integers(-10, 3, shape)
+        params[name] = np.where(random.uniform(size=shape) < 0.5, defaults[name], params[name])
     for values in params.values():
         flat = values.view(np.uint64).reshape(-1)
         places = random.integers(0, flat.size, count // 10)
@@ -170,3 +203,12 @@ def test_the_defaults_are_the_numbers_of_the_file(folder: Path) -> None:
             assert defaults["inertia"].tolist() == wanted.astype(kind).tolist()
             for name, value in vehicle.gains:
                 assert defaults[name] == kind(float(value))
+            limits, usual = vehicle.limits, {"f32": 1e-4, "f64": 1e-6}[scalar]
+            assert ("force_limit" in defaults) == bool(limits.force)
+            assert defaults.get("force_limit", np.empty(0)).tolist() == [
+                kind(float(x)) for x in limits.force
+            ]
+            if "max_drift" in defaults:
+                drift = usual if limits.drift is None else float(limits.drift)
+                assert defaults["max_drift"] == kind(drift)
+    assert any(vehicle.limits.force for vehicle in FILES)

@@ -106,21 +106,22 @@ def test_records_of_another_file_are_no_evidence() -> None:
         coverage.read(said, Path("thing.c"))
 
 
-@pytest.mark.parametrize(("name", "scalar"), [("paper_so3", "f32"), ("underwater", "f64")])
+@pytest.mark.parametrize("scalar", ["f32", "f64"])
+@pytest.mark.parametrize("name", attacked.NAMES)
 def test_the_self_test_runs_through_all_of_the_source(
     tmp_path: Path, name: str, scalar: str
 ) -> None:
     attacked.need(coverage.GCC, coverage.GCOV)
     (check,) = coverage.coverage(attacked.package(name, scalar), tmp_path)
     assert check.is_ok, check.details
-    assert check.samples > 300
+    assert check.samples > (250 if "lsf" in name else 300)
 
 
 def test_code_that_nothing_reaches_is_found(tmp_path: Path) -> None:
     attacked.need(coverage.GCC, coverage.GCOV)
     made = attacked.copy(attacked.package("paper_so3", "f32"), tmp_path)
     text = made.source.read_text(encoding="utf-8")
-    line = "    command->force[0] = force_0 > 1.0e6F ? 1.0e6F : force_0;"
+    line = "    command->force[0] = force_0 < -1.0e30F ? -1.0e30F : force_0;"
     assert text.count("    command->force[0] = force_0;") >= 1
     made.source.write_text(text.replace("    command->force[0] = force_0;", line))
     (check,) = coverage.coverage(made, tmp_path / "counts")

@@ -117,13 +117,13 @@ def test_words_of_tools_are_fit_for_a_table(said: str, stands: str) -> None:
     assert shown(said) == stands
 
 
-def test_the_summary_takes_the_worst_by_its_limit() -> None:
+def test_the_summary_takes_the_worst_of_each_limit() -> None:
     checks = [
         Check("force: truth", "C f64", 1e-14, LIMITS["force_f64"], 5, "first"),
         Check("force: truth", "numpy f64", 3e-14, LIMITS["force_f64"], 7, "second"),
         Check("force: truth", "C f32", 1e-6, LIMITS["force_f32"], 9, "third"),
-        Check("same bits", "f32", math.nan, LIMITS["rows"], 1, "no number"),
         Check("same bits", "f64", 8, LIMITS["rows"], 1, "a number"),
+        Check("same bits", "f32", math.nan, LIMITS["rows"], 1, "no number"),
     ]
     told = {line.promise.text: (line.worst.worst, line.samples) for line in lines(checks)}
     assert told == {

@@ -84,7 +84,7 @@ def gains_exchanged(patch: Patch) -> None:
 
 def half_law_for_whole(patch: Patch) -> None:
     law = quaternion_law.LAWS["SO3"]["log"]
-    half = quaternion_law.Quaternion(lambda let, w, v: kernel.K(w) / 2, quaternion_law._at_pi)
+    half = quaternion_law.Quaternion(lambda _, e: kernel.K(e.w) / 2, quaternion_law._at_pi)
     patch.setitem(quaternion_law.LAWS["SO3"], "log", replace(law, write=half))
 
 
@@ -143,7 +143,7 @@ EDITS = (
     ("reaching: entry of the rate", "nu_u_dot[0] = nu_u_dot_0;", "nu_u_dot[0] = nu_u_dot_1;", -1),
     ("control: sign of the force", "status = paper_so3_f64_verdict(",
      "command->force[0] = -command->force[0]; status = paper_so3_f64_verdict(", 0),
-    ("control: any drift will do", "<= PAPER_SO3_F64_MAX_DRIFT", "<= 1e9", 0),
+    ("control: any drift will do", "<= params->max_drift*params->max_drift", "<= 1e9", 0),
     ("check_params: first pivot", "pivot[0] = inertia_0;", "pivot[0] = 1.0;", 0),
 )  # fmt: skip
 """What, the emitted C as it is, as it is broken, and which occurrence of it."""

@@ -1048,12 +1048,11 @@ static int is_told(const trial *one, cubesat_3u_f32_status wanted)
             ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, float *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, float *numbers, int count, float most)
 {
-    static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*CUBESAT_3U_F32_MAX_INPUT, -2.0F*(CUBESAT_3U_F32_MAX_INPUT +
-                CUBESAT_3U_F32_MAX_REACH)
+    const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(CUBESAT_3U_F32_MAX_INPUT)
     };
     int failures = 0;
     int i;
@@ -1092,14 +1091,14 @@ static int input_failures(void)
     int failures = 0;
     at_rest(&one);
     failures += !is_told(&one, CUBESAT_3U_F32_OK);
-    failures += number_failures(&one, one.state.g, 9);
+    failures += number_failures(&one, one.state.g, 9, CUBESAT_3U_F32_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 3);
-    failures += number_failures(&one, one.state.momentum, 3);
-    failures += number_failures(&one, one.reference.g, 9);
+    failures += number_failures(&one, one.state.nu, 3, CUBESAT_3U_F32_MAX_INPUT);
+    failures += number_failures(&one, one.state.momentum, 3, CUBESAT_3U_F32_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 9, CUBESAT_3U_F32_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 3);
-    failures += number_failures(&one, one.reference.nu_dot, 3);
+    failures += number_failures(&one, one.reference.nu, 3, CUBESAT_3U_F32_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 3, CUBESAT_3U_F32_MAX_INPUT);
     return failures;
 }
 
@@ -1148,7 +1147,7 @@ static int limit_failures(void)
         for (j = 0; j < 3; j++) {
             one.params.force_limit[j] = CUBESAT_3U_F32_MAX_PARAM;
         }
-        one.params.force_limit[i] = CUBESAT_3U_F32_MIN_GAIN;
+        one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, CUBESAT_3U_F32_SATURATED);
         one.params.force_limit[i] = NOT_A_NUMBER;
         failures += !is_told(&one, CUBESAT_3U_F32_NONFINITE_INPUT);

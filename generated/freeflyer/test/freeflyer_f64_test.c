@@ -856,12 +856,11 @@ static int is_told(const trial *one, freeflyer_f64_status wanted)
             ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, double *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, double *numbers, int count, double most)
 {
-    static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*FREEFLYER_F64_MAX_INPUT, -2.0*(FREEFLYER_F64_MAX_INPUT +
-                FREEFLYER_F64_MAX_REACH)
+    const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*most, -2.0*(FREEFLYER_F64_MAX_INPUT + FREEFLYER_F64_MAX_REACH)
     };
     int failures = 0;
     int i;
@@ -893,29 +892,47 @@ static int element_failures(const trial *one, double *g)
     return failures;
 }
 
+/* Numbers of two elements that are out of range, while their error is not. */
+static int pair_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 16; i++) { /* close to each other */
+        at_rest(&one);
+        one.reference.g[i] = FREEFLYER_F64_MAX_INPUT + 1.0e2;
+        one.state.g[i] = one.reference.g[i];
+        failures += !is_told(&one, FREEFLYER_F64_OUT_OF_RANGE);
+        one.state.g[i] = FREEFLYER_F64_MAX_INPUT;
+        failures += !is_told(&one, FREEFLYER_F64_OUT_OF_RANGE);
+    }
+    at_rest(&one);
+    for (i = 0; i < 16; i++) { /* one of them nothing, and the error with it */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 16, FREEFLYER_F64_MAX_INPUT);
+    for (i = 0; i < 16; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 16, FREEFLYER_F64_MAX_INPUT);
+    return failures;
+}
+
 /* From rest, every number of the inputs spoilt by itself. */
 static int input_failures(void)
 {
     trial one;
     int failures = 0;
-    int i;
     at_rest(&one);
     failures += !is_told(&one, FREEFLYER_F64_OK);
-    failures += number_failures(&one, one.state.g, 16);
+    failures += number_failures(&one, one.state.g, 16, FREEFLYER_F64_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 6);
-    failures += number_failures(&one, one.reference.g, 16);
+    failures += number_failures(&one, one.state.nu, 6, FREEFLYER_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 16, FREEFLYER_F64_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 6);
-    failures += number_failures(&one, one.reference.nu_dot, 6);
-    for (i = 0; i < 16; i++) { /* an error of zeros lets these numbers through */
-        one.reference.g[i] = 0.0;
-    }
-    failures += number_failures(&one, one.state.g, 16);
-    for (i = 0; i < 16; i++) {
-        one.state.g[i] = 0.0;
-    }
-    failures += number_failures(&one, one.reference.g, 16);
+    failures += number_failures(&one, one.reference.nu, 6, FREEFLYER_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 6, FREEFLYER_F64_MAX_INPUT);
+    failures += pair_failures();
     return failures;
 }
 
@@ -969,7 +986,7 @@ static int limit_failures(void)
         for (j = 0; j < 6; j++) {
             one.params.force_limit[j] = FREEFLYER_F64_MAX_PARAM;
         }
-        one.params.force_limit[i] = FREEFLYER_F64_MIN_GAIN;
+        one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, FREEFLYER_F64_SATURATED);
         one.params.force_limit[i] = NOT_A_NUMBER;
         failures += !is_told(&one, FREEFLYER_F64_NONFINITE_INPUT);

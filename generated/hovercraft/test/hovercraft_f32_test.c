@@ -693,11 +693,11 @@ static int is_told(const trial *one, hovercraft_f32_status wanted)
             ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, float *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, float *numbers, int count, float most)
 {
-    static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*HOVERCRAFT_F32_MAX_INPUT, -2.0F*(HOVERCRAFT_F32_MAX_INPUT +
+    const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(HOVERCRAFT_F32_MAX_INPUT +
                 HOVERCRAFT_F32_MAX_REACH)
     };
     int failures = 0;
@@ -730,29 +730,47 @@ static int element_failures(const trial *one, float *g)
     return failures;
 }
 
+/* Numbers of two elements that are out of range, while their error is not. */
+static int pair_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 9; i++) { /* close to each other */
+        at_rest(&one);
+        one.reference.g[i] = HOVERCRAFT_F32_MAX_INPUT + 1.0e2F;
+        one.state.g[i] = one.reference.g[i];
+        failures += !is_told(&one, HOVERCRAFT_F32_OUT_OF_RANGE);
+        one.state.g[i] = HOVERCRAFT_F32_MAX_INPUT;
+        failures += !is_told(&one, HOVERCRAFT_F32_OUT_OF_RANGE);
+    }
+    at_rest(&one);
+    for (i = 0; i < 9; i++) { /* one of them nothing, and the error with it */
+        one.reference.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.state.g, 9, HOVERCRAFT_F32_MAX_INPUT);
+    for (i = 0; i < 9; i++) {
+        one.state.g[i] = 0.0F;
+    }
+    failures += number_failures(&one, one.reference.g, 9, HOVERCRAFT_F32_MAX_INPUT);
+    return failures;
+}
+
 /* From rest, every number of the inputs spoilt by itself. */
 static int input_failures(void)
 {
     trial one;
     int failures = 0;
-    int i;
     at_rest(&one);
     failures += !is_told(&one, HOVERCRAFT_F32_OK);
-    failures += number_failures(&one, one.state.g, 9);
+    failures += number_failures(&one, one.state.g, 9, HOVERCRAFT_F32_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 3);
-    failures += number_failures(&one, one.reference.g, 9);
+    failures += number_failures(&one, one.state.nu, 3, HOVERCRAFT_F32_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 9, HOVERCRAFT_F32_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 3);
-    failures += number_failures(&one, one.reference.nu_dot, 3);
-    for (i = 0; i < 9; i++) { /* an error of zeros lets these numbers through */
-        one.reference.g[i] = 0.0F;
-    }
-    failures += number_failures(&one, one.state.g, 9);
-    for (i = 0; i < 9; i++) {
-        one.state.g[i] = 0.0F;
-    }
-    failures += number_failures(&one, one.reference.g, 9);
+    failures += number_failures(&one, one.reference.nu, 3, HOVERCRAFT_F32_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 3, HOVERCRAFT_F32_MAX_INPUT);
+    failures += pair_failures();
     return failures;
 }
 

@@ -968,12 +968,11 @@ static int is_told(const trial *one, paper_so3_lsf_f64_status wanted)
             ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, double *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, double *numbers, int count, double most)
 {
-    static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*PAPER_SO3_LSF_F64_MAX_INPUT, -2.0*(PAPER_SO3_LSF_F64_MAX_INPUT
-                + PAPER_SO3_LSF_F64_MAX_REACH)
+    const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*most, -2.0*(PAPER_SO3_LSF_F64_MAX_INPUT)
     };
     int failures = 0;
     int i;
@@ -1012,13 +1011,13 @@ static int input_failures(void)
     int failures = 0;
     at_rest(&one);
     failures += !is_told(&one, PAPER_SO3_LSF_F64_OK);
-    failures += number_failures(&one, one.state.g, 9);
+    failures += number_failures(&one, one.state.g, 9, PAPER_SO3_LSF_F64_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 3);
-    failures += number_failures(&one, one.reference.g, 9);
+    failures += number_failures(&one, one.state.nu, 3, PAPER_SO3_LSF_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 9, PAPER_SO3_LSF_F64_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 3);
-    failures += number_failures(&one, one.reference.nu_dot, 3);
+    failures += number_failures(&one, one.reference.nu, 3, PAPER_SO3_LSF_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 3, PAPER_SO3_LSF_F64_MAX_INPUT);
     return failures;
 }
 

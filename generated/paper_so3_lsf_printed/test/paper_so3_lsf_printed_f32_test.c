@@ -894,12 +894,11 @@ static int is_told(const trial *one, paper_so3_lsf_printed_f32_status wanted)
             == ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, float *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, float *numbers, int count, float most)
 {
-    static const float spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0F*PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT,
-                -2.0F*(PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT + PAPER_SO3_LSF_PRINTED_F32_MAX_REACH)
+    const float spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0F*most, -2.0F*(PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT)
     };
     int failures = 0;
     int i;
@@ -938,13 +937,13 @@ static int input_failures(void)
     int failures = 0;
     at_rest(&one);
     failures += !is_told(&one, PAPER_SO3_LSF_PRINTED_F32_OK);
-    failures += number_failures(&one, one.state.g, 9);
+    failures += number_failures(&one, one.state.g, 9, PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 3);
-    failures += number_failures(&one, one.reference.g, 9);
+    failures += number_failures(&one, one.state.nu, 3, PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 9, PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 3);
-    failures += number_failures(&one, one.reference.nu_dot, 3);
+    failures += number_failures(&one, one.reference.nu, 3, PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 3, PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT);
     return failures;
 }
 

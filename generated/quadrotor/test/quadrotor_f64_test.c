@@ -878,11 +878,11 @@ static int is_told(const trial *one, quadrotor_f64_status wanted)
             ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, double *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, double *numbers, int count, double most)
 {
-    static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*QUADROTOR_F64_MAX_INPUT, -2.0*(QUADROTOR_F64_MAX_INPUT)
+    const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*most, -2.0*(QUADROTOR_F64_MAX_INPUT)
     };
     int failures = 0;
     int i;
@@ -921,13 +921,13 @@ static int input_failures(void)
     int failures = 0;
     at_rest(&one);
     failures += !is_told(&one, QUADROTOR_F64_OK);
-    failures += number_failures(&one, one.state.g, 4);
+    failures += number_failures(&one, one.state.g, 4, QUADROTOR_F64_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 3);
-    failures += number_failures(&one, one.reference.g, 4);
+    failures += number_failures(&one, one.state.nu, 3, QUADROTOR_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 4, QUADROTOR_F64_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 3);
-    failures += number_failures(&one, one.reference.nu_dot, 3);
+    failures += number_failures(&one, one.reference.nu, 3, QUADROTOR_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 3, QUADROTOR_F64_MAX_INPUT);
     return failures;
 }
 
@@ -973,7 +973,7 @@ static int limit_failures(void)
         for (j = 0; j < 3; j++) {
             one.params.force_limit[j] = QUADROTOR_F64_MAX_PARAM;
         }
-        one.params.force_limit[i] = QUADROTOR_F64_MIN_GAIN;
+        one.params.force_limit[i] = one.params.inertia[diagonal[i]];
         failures += !is_told(&one, QUADROTOR_F64_SATURATED);
         one.params.force_limit[i] = NOT_A_NUMBER;
         failures += !is_told(&one, QUADROTOR_F64_NONFINITE_INPUT);

@@ -1120,11 +1120,11 @@ static int is_told(const trial *one, two_bodies_f64_status wanted)
             ZERO_BITS);
 }
 
-/* Each of these numbers by itself: no number at all, and beyond either range. */
-static int number_failures(const trial *one, double *numbers, int count)
+/* Each of these numbers by itself: no number at all, beyond the most, and far beyond any range. */
+static int number_failures(const trial *one, double *numbers, int count, double most)
 {
-    static const double spoilt[4] = {
-        NOT_A_NUMBER, -INFINITE, 2.0*TWO_BODIES_F64_MAX_INPUT, -2.0*(TWO_BODIES_F64_MAX_INPUT +
+    const double spoilt[4] = {
+        NOT_A_NUMBER, -INFINITE, 2.0*most, -2.0*(TWO_BODIES_F64_MAX_INPUT +
                 TWO_BODIES_F64_MAX_REACH)
     };
     int failures = 0;
@@ -1158,29 +1158,47 @@ static int element_failures(const trial *one, double *g)
     return failures;
 }
 
+/* Numbers of two elements that are out of range, while their error is not. */
+static int pair_failures(void)
+{
+    trial one;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 25; i++) { /* close to each other */
+        at_rest(&one);
+        one.reference.g[i] = TWO_BODIES_F64_MAX_INPUT + 1.0e2;
+        one.state.g[i] = one.reference.g[i];
+        failures += !is_told(&one, TWO_BODIES_F64_OUT_OF_RANGE);
+        one.state.g[i] = TWO_BODIES_F64_MAX_INPUT;
+        failures += !is_told(&one, TWO_BODIES_F64_OUT_OF_RANGE);
+    }
+    at_rest(&one);
+    for (i = 0; i < 25; i++) { /* one of them nothing, and the error with it */
+        one.reference.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.state.g, 25, TWO_BODIES_F64_MAX_INPUT);
+    for (i = 0; i < 25; i++) {
+        one.state.g[i] = 0.0;
+    }
+    failures += number_failures(&one, one.reference.g, 25, TWO_BODIES_F64_MAX_INPUT);
+    return failures;
+}
+
 /* From rest, every number of the inputs spoilt by itself. */
 static int input_failures(void)
 {
     trial one;
     int failures = 0;
-    int i;
     at_rest(&one);
     failures += !is_told(&one, TWO_BODIES_F64_OK);
-    failures += number_failures(&one, one.state.g, 25);
+    failures += number_failures(&one, one.state.g, 25, TWO_BODIES_F64_MAX_INPUT);
     failures += element_failures(&one, one.state.g);
-    failures += number_failures(&one, one.state.nu, 9);
-    failures += number_failures(&one, one.reference.g, 25);
+    failures += number_failures(&one, one.state.nu, 9, TWO_BODIES_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.g, 25, TWO_BODIES_F64_MAX_INPUT);
     failures += element_failures(&one, one.reference.g);
-    failures += number_failures(&one, one.reference.nu, 9);
-    failures += number_failures(&one, one.reference.nu_dot, 9);
-    for (i = 0; i < 25; i++) { /* an error of zeros lets these numbers through */
-        one.reference.g[i] = 0.0;
-    }
-    failures += number_failures(&one, one.state.g, 25);
-    for (i = 0; i < 25; i++) {
-        one.state.g[i] = 0.0;
-    }
-    failures += number_failures(&one, one.reference.g, 25);
+    failures += number_failures(&one, one.reference.nu, 9, TWO_BODIES_F64_MAX_INPUT);
+    failures += number_failures(&one, one.reference.nu_dot, 9, TWO_BODIES_F64_MAX_INPUT);
+    failures += pair_failures();
     return failures;
 }
 
