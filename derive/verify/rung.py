@@ -94,10 +94,10 @@ def ladder(vehicle: Plant, scalar: str, *, is_pole: bool) -> Iterator[Rung]:
         yield from (Rung(rest, True) for rest in ("0", *SMALL, *MIDDLE, *beyond))
     else:
         yield from (Rung(*one) for one in FEW)
-    if vehicle.hysteresis is not None:
-        yield from _at_half(scalar)
     if is_pole and not vehicle.is_attitude:
         yield Rung(f"-{CLOSE[scalar]}", False, True)  # refused, so that it needs no truth
+    if vehicle.hysteresis is not None:
+        yield from _at_half(scalar)
     yield from _at_cut(vehicle, scalar)
 
 
