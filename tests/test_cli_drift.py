@@ -49,7 +49,7 @@ def test_missing_and_unknown_files_are_drift_and_the_command_shown_mends(
     body: Path, home: Path
 ) -> None:
     place = body.parent
-    assert len(drifted(place, home, body.name)) == 3 * 15 + 1
+    assert len(drifted(place, home, body.name)) == 3 * 16 + 1
     derive(place, "emit", body.name, "--out", "my out", home=home)
     module = place / "my out" / "body" / "numpy" / "body.py"
     module.write_text(module.read_text().removesuffix("\n"))

@@ -116,7 +116,7 @@ def test_emit_warns_in_one_line(tmp_path: Path, group: str, law: str, told: str)
     for word in ("wrote", "unchanged"):  # derived, and from the cache
         result = derive(tmp_path, "emit", name)
         assert (result.returncode, result.stderr) == (0, line if told else "")
-        assert result.stdout == f"{word} generated/one (11 files)\n"
+        assert result.stdout == f"{word} generated/one (16 files)\n"
 
 
 def test_the_same_warning_is_given_once(tmp_path: Path) -> None:

@@ -44,18 +44,19 @@ class Quaternion:
         w, raw, scale = error.w, error.raw, error.scale
         clearance = self.clearance(let, error) if self.clearance else sympy.S.One
         share, p = _parted(self.factor(let, error))
-        reach = let("reach", p * scale, "1", "p by the scale, but for a number")
-        ratio = let("stretch", 2 * share * reach, "1", "ratio of nu_u to the vector part")
-        drop = let("drop", -sympy.diff(p, w) * scale**2, "1", "-dp/dw by the scale's square")
+        reach = let("reach", p * scale, "1", "p times the scale of the vector part")
+        stretch = let("stretch", 2 * share * reach, "1", "nu_u over the vector part")
+        drop = let("drop", -sympy.diff(p, w) * scale**2, "1", "-dp/dw times that scale's square")
         along = let("along", _along(w, p), "1", "rate of the law along the axis")
 
         def rate(let: Let, nu_e: Matrix) -> Matrix:
-            part = let("part", share * nu_e, "rad/s", "what the law has of nu_e at the identity")
-            turn = let("turn", raw.cross(part), "rad/s", "vector part x nu_e, its share")
-            bend = let("bend", raw.cross(turn), "rad/s", "vector part x that")
+            part = let("part", share * nu_e, "rad/s", "nu_e times the rate of nu_u at the identity")
+            of = "nu_e" if share == 1 else "part"
+            turn = let("turn", raw.cross(part), "rad/s", f"vector part x {of}")
+            bend = let("bend", raw.cross(turn), "rad/s", "vector part x turn")
             return along * part + reach * turn + drop * bend
 
-        return Written(ratio * raw, rate, clearance)
+        return Written(stretch * raw, rate, clearance)
 
 
 def _parted(p: Expr) -> tuple[Expr, Expr]:

@@ -178,7 +178,7 @@ def spelled(scalar: str, target: Target, values: Mapping[str, Any]) -> dict[str,
         return number(value, scalar)
 
     drift = values["max_drift"] or kind.max_drift
-    constants = kind.constants(values["is_own"], values["hysteresis"])
+    constants = kind.constants(values["is_own"], values["has_reference"], values["hysteresis"])
     return {
         "vehicle": values["name"],
         "prefix": prefix,

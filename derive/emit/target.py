@@ -49,14 +49,19 @@ class Scalar:
     max_rate: Fraction
 
     def constants(
-        self, is_own: bool = False, hysteresis: Fraction | None = None
+        self,
+        is_own: bool = False,
+        has_reference: bool = True,
+        hysteresis: Fraction | None = None,
     ) -> tuple[tuple[str, Fraction, str], ...]:
         """(name, value, sentence) of each bound, as headers and modules state them.
 
+        Without a reference the error is the state, which is bounded by max_input anyhow.
         hysteresis: of the choice between q and -q, where there is one
         """
         side = ("HYSTERESIS", hysteresis or Fraction(0), "scalar part that turns the error over")
         reach = self.max_own if is_own else self.max_reach
+        reach = reach if has_reference else min(reach, self.max_input)
         return (
             ("MAX_INPUT", self.max_input, "largest magnitude of a number in state or reference"),
             ("MAX_ENTRY", self.max_entry, "of an entry of the error that the group keeps at 1"),

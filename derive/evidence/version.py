@@ -39,7 +39,7 @@ COMMANDS = (
 
 PACKAGES = {
     "python-flint": "bounds of truncation",
-    "mpmath": "truth to 50 digits",
+    "mpmath": "truth in 130 digits",
     "casadi": "automatic differentiation",
     "numpy": "the emitted numpy module",
 }

@@ -181,7 +181,7 @@ def _divided(let: Let, square: Expr, error: Scaled, k: Expr) -> None:
     Whoever needs h alone gets it from there.
     """
     w, scale = error.w, error.scale
-    doc, value = "-dk/dw by the scale's square, as s^2 h = 1 - w k", (1 - w * k) / square
+    doc, value = "-dk/dw times scale^2, as s^2 h = 1 - w k", (1 - w * k) / square
     h = let("h_raw", value, "1", doc, stands_for=H(w) * scale**2)
     let("h", h / scale**2, "1", "-dk/dw", stands_for=H(w))
 

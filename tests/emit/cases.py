@@ -62,6 +62,16 @@ def distance(vehicle: Vehicle) -> Callable[[Array], float]:
     return lambda g: float(np.linalg.norm(run(*g)))
 
 
+def inverse(vehicle: Vehicle) -> Callable[[Array], Array]:
+    """The inverse as the group defines it; of what is off by t, it is off by several t on SL3."""
+    known = group(vehicle)
+    stored = sympy.Matrix(sympy.symbols(f"g:{known.size}"))
+    run = sympy.lambdify(
+        list(stored), list(known.store(known.inverse(known.embed(stored)))), "math"
+    )
+    return lambda g: np.array(run(*g), float)
+
+
 def divides(vehicle: Vehicle) -> bool:
     """Whether an inverse of stored numbers divides by some of them."""
     known = group(vehicle)
@@ -112,18 +122,21 @@ def _single(row: Row, limit: float) -> Iterator[Case]:
 
 def _drifted(vehicle: Vehicle, row: Row, limit: float) -> Iterator[Case]:
     """Scaled until the group's own measure is at the limit; and what is far off."""
-    size = distance(vehicle)
+    size, turned = distance(vehicle), inverse(vehicle)
     for field in (name for name in row if name.startswith("g")):
         g = row[field]
         for sign in (1, -1):
-            slope = size(g * (1 + sign * 1e-9)) / 1e-9
+            off = g * (1 + sign * 1e-9)
+            slope = max(size(x) for x in (off, *([turned(off)] if field == "g_r" else []))) / 1e-9
             if slope < 0.1:
                 continue
             for part, status in ((1.05, OFF), (0.95, OK)):
                 factor = 1 + sign * part * limit / slope
                 yield Case(f"{field} times {factor}", {**row, field: g * factor}, status)
         for name, far in (("zero", 0 * g), ("doubled", 2 * g), ("inverted", -g)):
-            if size(far) > 0.01:  # what has no inverse is infinitely far from anything
+            is_same = name == "inverted" and field == "g_r" and size(turned(far)) < 1e-9
+            if size(far) > 0.01 and not is_same:  # (-1)^-1 is 1 by the formula of SL3
+                # what has no inverse is infinitely far from anything
                 status = RANGE if (field, name) == ("g_r", "zero") and divides(vehicle) else OFF
                 yield Case(f"{field} {name}", {**row, field: far}, status)
         for k in range(len(g)):

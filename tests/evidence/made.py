@@ -31,6 +31,10 @@ def bad(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
     yield from (check("same bits", one.scalar, 3, "rows") for one in packages)
 
 
+def absent() -> Iterator[Check | str]:
+    yield "nothing was run: it is not here"
+
+
 def lacking(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
     yield from (check("doxygen: warnings", one.scalar) for one in packages)
     yield "RV32 was not run: it is not here"

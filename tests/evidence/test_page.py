@@ -14,7 +14,7 @@ from derive import dossier, folder, selftest
 from derive.evidence import version
 from derive.evidence.emitted import Emitted
 from derive.evidence.gather import Evidence, gather
-from derive.evidence.kind import KINDS, Kind, Work
+from derive.evidence.kind import KINDS, Kind, Step, Work
 from derive.evidence.page import LESS, WHOLE, page, shown
 from derive.evidence.stamp import hashes, outdated
 from derive.evidence.summary import PROMISES, lines
@@ -94,7 +94,10 @@ def test_a_quick_run_says_what_it_left_out(work: Work) -> None:
 
 
 def test_a_kind_that_gave_nothing_is_told(work: Work) -> None:
-    assert "Nothing of this was run." in page(found(work, Kind("kernel", ())))
+    """There are packages without kernel polynomials; and there are machines without the tools."""
+    absent = Kind("kernel", (Step("absent", lambda *_: made.absent()),))
+    assert "The package has nothing of this kind." in page(found(work, Kind("kernel", ())))
+    assert "Nothing of this was run: see the end of the page." in page(found(work, absent))
 
 
 def test_progress_counts_the_steps(work: Work) -> None:

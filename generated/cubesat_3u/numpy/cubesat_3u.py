@@ -259,7 +259,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
     cut = force * share
     cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
-    usable = np.isfinite(force).all(-1)
+    usable = (np.isfinite(force) & (limit > 0.0)).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status
@@ -389,21 +389,21 @@ def _law(
     w = power_3*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    # h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1]
     h_raw = (1.0 - k*w)/(square + 1.0e-17)
-    # reach: p by the scale, but for a number [1]
+    # reach: p times the scale of the vector part [1]
     reach = k*scale
-    # stretch: ratio of nu_u to the vector part [1]
+    # stretch: nu_u over the vector part [1]
     stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = power_0*stretch
     nu_u_1 = power_1*stretch
     nu_u_2 = power_2*stretch
-    # turn: vector part x nu_e, its share [rad/s]
+    # turn: vector part x nu_e [rad/s]
     turn_0 = nu_e_2*power_1 - nu_e_1*power_2
     turn_1 = nu_e_0*power_2 - nu_e_2*power_0
     turn_2 = nu_e_1*power_0 - nu_e_0*power_1
-    # bend: vector part x that [rad/s]
+    # bend: vector part x turn [rad/s]
     bend_0 = power_1*turn_2 - power_2*turn_1
     bend_1 = power_2*turn_0 - power_0*turn_2
     bend_2 = power_0*turn_1 - power_1*turn_0
@@ -513,21 +513,21 @@ def _reaching(
     w = power_3*scale
     # k: half angle over its sine [1]
     k = _k(w)
-    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    # h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1]
     h_raw = (1.0 - k*w)/(square + 1.0e-17)
-    # reach: p by the scale, but for a number [1]
+    # reach: p times the scale of the vector part [1]
     reach = k*scale
-    # stretch: ratio of nu_u to the vector part [1]
+    # stretch: nu_u over the vector part [1]
     stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3)
     nu_u_0 = power_0*stretch
     nu_u_1 = power_1*stretch
     nu_u_2 = power_2*stretch
-    # turn: vector part x nu_e, its share [rad/s]
+    # turn: vector part x nu_e [rad/s]
     turn_0 = nu_2*power_1 - nu_1*power_2
     turn_1 = nu_0*power_2 - nu_2*power_0
     turn_2 = nu_1*power_0 - nu_0*power_1
-    # bend: vector part x that [rad/s]
+    # bend: vector part x turn [rad/s]
     bend_0 = power_1*turn_2 - power_2*turn_1
     bend_1 = power_2*turn_0 - power_0*turn_2
     bend_2 = power_0*turn_1 - power_1*turn_0

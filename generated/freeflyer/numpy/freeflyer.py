@@ -251,7 +251,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     size = np.abs(force)
     cut = force
     cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
-    usable = np.isfinite(force).all(-1)
+    usable = (np.isfinite(force) & (limit > 0.0)).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status

@@ -256,7 +256,7 @@ def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
     cut = force * share
     cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
-    usable = np.isfinite(force).all(-1)
+    usable = (np.isfinite(force) & (limit > 0.0)).all(-1)
     within = (size <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status
@@ -372,21 +372,21 @@ def _law(
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
     k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
-    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    # h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1]
     h_raw = (1.0 - k*w)/divisor
-    # reach: p by the scale, but for a number [1]
+    # reach: p times the scale of the vector part [1]
     reach = k*scale
-    # stretch: ratio of nu_u to the vector part [1]
+    # stretch: nu_u over the vector part [1]
     stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
     nu_u_0 = g_e_1*stretch
     nu_u_1 = g_e_2*stretch
     nu_u_2 = g_e_3*stretch
-    # turn: vector part x nu_e, its share [rad/s]
+    # turn: vector part x nu_e [rad/s]
     turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1
     turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2
     turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0
-    # bend: vector part x that [rad/s]
+    # bend: vector part x turn [rad/s]
     bend_0 = g_e_2*turn_2 - g_e_3*turn_1
     bend_1 = g_e_3*turn_0 - g_e_1*turn_2
     bend_2 = g_e_1*turn_1 - g_e_2*turn_0
@@ -476,21 +476,21 @@ def _reaching(
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
     k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
-    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    # h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1]
     h_raw = (1.0 - k*w)/divisor
-    # reach: p by the scale, but for a number [1]
+    # reach: p times the scale of the vector part [1]
     reach = k*scale
-    # stretch: ratio of nu_u to the vector part [1]
+    # stretch: nu_u over the vector part [1]
     stretch = 2.0*reach
     # nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw)
     nu_u_0 = g_1*stretch
     nu_u_1 = g_2*stretch
     nu_u_2 = g_3*stretch
-    # turn: vector part x nu_e, its share [rad/s]
+    # turn: vector part x nu_e [rad/s]
     turn_0 = g_2*nu_2 - g_3*nu_1
     turn_1 = g_3*nu_0 - g_1*nu_2
     turn_2 = g_1*nu_1 - g_2*nu_0
-    # bend: vector part x that [rad/s]
+    # bend: vector part x turn [rad/s]
     bend_0 = g_2*turn_2 - g_3*turn_1
     bend_1 = g_3*turn_0 - g_1*turn_2
     bend_2 = g_1*turn_1 - g_2*turn_0

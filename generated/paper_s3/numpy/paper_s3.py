@@ -349,23 +349,23 @@ def _law(
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
     k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
-    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    # h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1]
     h_raw = (1.0 - k*w)/divisor
-    # reach: p by the scale, but for a number [1]
+    # reach: p times the scale of the vector part [1]
     reach = k*scale
     # nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3)
     nu_u_0 = g_e_1*reach
     nu_u_1 = g_e_2*reach
     nu_u_2 = g_e_3*reach
-    # part: what the law has of nu_e at the identity [rad/s]
+    # part: nu_e times the rate of nu_u at the identity [rad/s]
     part_0 = 0.5*nu_e_0
     part_1 = 0.5*nu_e_1
     part_2 = 0.5*nu_e_2
-    # turn: vector part x nu_e, its share [rad/s]
+    # turn: vector part x part [rad/s]
     turn_0 = g_e_2*part_2 - g_e_3*part_1
     turn_1 = g_e_3*part_0 - g_e_1*part_2
     turn_2 = g_e_1*part_1 - g_e_2*part_0
-    # bend: vector part x that [rad/s]
+    # bend: vector part x turn [rad/s]
     bend_0 = g_e_2*turn_2 - g_e_3*turn_1
     bend_1 = g_e_3*turn_0 - g_e_1*turn_2
     bend_2 = g_e_1*turn_1 - g_e_2*turn_0
@@ -455,23 +455,23 @@ def _reaching(
     # k: half angle over its sine, on to 2 pi [1]
     k_if_0 = w.real >= 0.0
     k = np.where(k_if_0, k_near, 3.141592653589793/distance - k_near)
-    # h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1]
+    # h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1]
     h_raw = (1.0 - k*w)/divisor
-    # reach: p by the scale, but for a number [1]
+    # reach: p times the scale of the vector part [1]
     reach = k*scale
     # nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3)
     nu_u_0 = g_1*reach
     nu_u_1 = g_2*reach
     nu_u_2 = g_3*reach
-    # part: what the law has of nu_e at the identity [rad/s]
+    # part: nu_e times the rate of nu_u at the identity [rad/s]
     part_0 = 0.5*nu_0
     part_1 = 0.5*nu_1
     part_2 = 0.5*nu_2
-    # turn: vector part x nu_e, its share [rad/s]
+    # turn: vector part x part [rad/s]
     turn_0 = g_2*part_2 - g_3*part_1
     turn_1 = g_3*part_0 - g_1*part_2
     turn_2 = g_1*part_1 - g_2*part_0
-    # bend: vector part x that [rad/s]
+    # bend: vector part x turn [rad/s]
     bend_0 = g_2*turn_2 - g_3*turn_1
     bend_1 = g_3*turn_0 - g_1*turn_2
     bend_2 = g_1*turn_1 - g_2*turn_0

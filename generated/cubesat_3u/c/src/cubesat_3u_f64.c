@@ -196,13 +196,13 @@ static double cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
     /* k: half angle over its sine [1] */
     const double k = cubesat_3u_f64_k(w);
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/(square + 1.0e-17);
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
@@ -210,12 +210,12 @@ static double cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
     const double nu_u_1 = power_1*stretch;
     const double nu_u_2 = power_2*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const double turn_0 = nu_e_2*power_1 - nu_e_1*power_2;
     const double turn_1 = nu_e_0*power_2 - nu_e_2*power_0;
     const double turn_2 = nu_e_1*power_0 - nu_e_0*power_1;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = power_1*turn_2 - power_2*turn_1;
     const double bend_1 = power_2*turn_0 - power_0*turn_2;
     const double bend_2 = power_0*turn_1 - power_1*turn_0;
@@ -411,13 +411,13 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
     /* k: half angle over its sine [1] */
     const double k = cubesat_3u_f64_k(w);
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/(square + 1.0e-17);
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
@@ -425,12 +425,12 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
     const double nu_u_1 = power_1*stretch;
     const double nu_u_2 = power_2*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const double turn_0 = nu_2*power_1 - nu_1*power_2;
     const double turn_1 = nu_0*power_2 - nu_2*power_0;
     const double turn_2 = nu_1*power_0 - nu_0*power_1;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = power_1*turn_2 - power_2*turn_1;
     const double bend_1 = power_2*turn_0 - power_0*turn_2;
     const double bend_2 = power_0*turn_1 - power_1*turn_0;
@@ -584,7 +584,8 @@ static cubesat_3u_f64_status cubesat_3u_f64_saturate(const cubesat_3u_f64_params
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
+            && isfinite(force[2]) && limit[2] > 0.0)) {
         cubesat_3u_f64_nothing(command);
         return CUBESAT_3U_F64_NONFINITE_INPUT;
     }

@@ -1060,8 +1060,9 @@ static freeflyer_f32_status freeflyer_f32_saturate(const freeflyer_f32_params *p
 {
     float *const force = command->force;
     const float *const limit = params->force_limit;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]) && isfinite(force[3])
-            && isfinite(force[4]) && isfinite(force[5]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0F && isfinite(force[1]) && limit[1] > 0.0F
+            && isfinite(force[2]) && limit[2] > 0.0F && isfinite(force[3]) && limit[3] > 0.0F
+            && isfinite(force[4]) && limit[4] > 0.0F && isfinite(force[5]) && limit[5] > 0.0F)) {
         freeflyer_f32_nothing(command);
         return FREEFLYER_F32_NONFINITE_INPUT;
     }

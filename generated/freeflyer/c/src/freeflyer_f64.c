@@ -1097,8 +1097,9 @@ static freeflyer_f64_status freeflyer_f64_saturate(const freeflyer_f64_params *p
 {
     double *const force = command->force;
     const double *const limit = params->force_limit;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]) && isfinite(force[3])
-            && isfinite(force[4]) && isfinite(force[5]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
+            && isfinite(force[2]) && limit[2] > 0.0 && isfinite(force[3]) && limit[3] > 0.0
+            && isfinite(force[4]) && limit[4] > 0.0 && isfinite(force[5]) && limit[5] > 0.0)) {
         freeflyer_f64_nothing(command);
         return FREEFLYER_F64_NONFINITE_INPUT;
     }

@@ -166,10 +166,10 @@ static float paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_
         k = 3.1415927F/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw = (1.0F - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const float reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
@@ -177,17 +177,17 @@ static float paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_
     const float nu_u_1 = g_e_2*reach;
     const float nu_u_2 = g_e_3*reach;
 
-    /* part: what the law has of nu_e at the identity [rad/s] */
+    /* part: nu_e times the rate of nu_u at the identity [rad/s] */
     const float part_0 = 0.5F*nu_e_0;
     const float part_1 = 0.5F*nu_e_1;
     const float part_2 = 0.5F*nu_e_2;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x part [rad/s] */
     const float turn_0 = g_e_2*part_2 - g_e_3*part_1;
     const float turn_1 = g_e_3*part_0 - g_e_1*part_2;
     const float turn_2 = g_e_1*part_1 - g_e_2*part_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
     const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
     const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
@@ -373,10 +373,10 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
         k = 3.1415927F/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw = (1.0F - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const float reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
@@ -384,17 +384,17 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
     const float nu_u_1 = g_2*reach;
     const float nu_u_2 = g_3*reach;
 
-    /* part: what the law has of nu_e at the identity [rad/s] */
+    /* part: nu_e times the rate of nu_u at the identity [rad/s] */
     const float part_0 = 0.5F*nu_0;
     const float part_1 = 0.5F*nu_1;
     const float part_2 = 0.5F*nu_2;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x part [rad/s] */
     const float turn_0 = g_2*part_2 - g_3*part_1;
     const float turn_1 = g_3*part_0 - g_1*part_2;
     const float turn_2 = g_1*part_1 - g_2*part_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const float bend_0 = g_2*turn_2 - g_3*turn_1;
     const float bend_1 = g_3*turn_0 - g_1*turn_2;
     const float bend_2 = g_1*turn_1 - g_2*turn_0;

@@ -178,10 +178,10 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
         k = 3.141592653589793/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
@@ -189,17 +189,17 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
     const double nu_u_1 = g_e_2*reach;
     const double nu_u_2 = g_e_3*reach;
 
-    /* part: what the law has of nu_e at the identity [rad/s] */
+    /* part: nu_e times the rate of nu_u at the identity [rad/s] */
     const double part_0 = 0.5*nu_e_0;
     const double part_1 = 0.5*nu_e_1;
     const double part_2 = 0.5*nu_e_2;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x part [rad/s] */
     const double turn_0 = g_e_2*part_2 - g_e_3*part_1;
     const double turn_1 = g_e_3*part_0 - g_e_1*part_2;
     const double turn_2 = g_e_1*part_1 - g_e_2*part_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
     const double bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
     const double bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
@@ -385,10 +385,10 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
         k = 3.141592653589793/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
     /* nu_u: kinematic law, half the rotation vector [rad], eq. (KinCtrlLawS3) */
@@ -396,17 +396,17 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
     const double nu_u_1 = g_2*reach;
     const double nu_u_2 = g_3*reach;
 
-    /* part: what the law has of nu_e at the identity [rad/s] */
+    /* part: nu_e times the rate of nu_u at the identity [rad/s] */
     const double part_0 = 0.5*nu_0;
     const double part_1 = 0.5*nu_1;
     const double part_2 = 0.5*nu_2;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x part [rad/s] */
     const double turn_0 = g_2*part_2 - g_3*part_1;
     const double turn_1 = g_3*part_0 - g_1*part_2;
     const double turn_2 = g_1*part_1 - g_2*part_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = g_2*turn_2 - g_3*turn_1;
     const double bend_1 = g_3*turn_0 - g_1*turn_2;
     const double bend_2 = g_1*turn_1 - g_2*turn_0;

@@ -181,13 +181,13 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
     /* k: half angle over its sine [1] */
     const float k = paper_so3_f32_k(w);
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const float reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
@@ -195,12 +195,12 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
     const float nu_u_1 = power_1*stretch;
     const float nu_u_2 = power_2*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const float turn_0 = nu_e_2*power_1 - nu_e_1*power_2;
     const float turn_1 = nu_e_0*power_2 - nu_e_2*power_0;
     const float turn_2 = nu_e_1*power_0 - nu_e_0*power_1;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const float bend_0 = power_1*turn_2 - power_2*turn_1;
     const float bend_1 = power_2*turn_0 - power_0*turn_2;
     const float bend_2 = power_0*turn_1 - power_1*turn_0;
@@ -427,13 +427,13 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
     /* k: half angle over its sine [1] */
     const float k = paper_so3_f32_k(w);
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw = (1.0F - k*w)/(square + 1.0e-8F);
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const float reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
@@ -441,12 +441,12 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
     const float nu_u_1 = power_1*stretch;
     const float nu_u_2 = power_2*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const float turn_0 = nu_2*power_1 - nu_1*power_2;
     const float turn_1 = nu_0*power_2 - nu_2*power_0;
     const float turn_2 = nu_1*power_0 - nu_0*power_1;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const float bend_0 = power_1*turn_2 - power_2*turn_1;
     const float bend_1 = power_2*turn_0 - power_0*turn_2;
     const float bend_2 = power_0*turn_1 - power_1*turn_0;

@@ -194,13 +194,13 @@ static double paper_so3_f64_law(const paper_so3_f64_params *params,
     /* k: half angle over its sine [1] */
     const double k = paper_so3_f64_k(w);
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/(square + 1.0e-17);
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
@@ -208,12 +208,12 @@ static double paper_so3_f64_law(const paper_so3_f64_params *params,
     const double nu_u_1 = power_1*stretch;
     const double nu_u_2 = power_2*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const double turn_0 = nu_e_2*power_1 - nu_e_1*power_2;
     const double turn_1 = nu_e_0*power_2 - nu_e_2*power_0;
     const double turn_2 = nu_e_1*power_0 - nu_e_0*power_1;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = power_1*turn_2 - power_2*turn_1;
     const double bend_1 = power_2*turn_0 - power_0*turn_2;
     const double bend_2 = power_0*turn_1 - power_1*turn_0;
@@ -440,13 +440,13 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
     /* k: half angle over its sine [1] */
     const double k = paper_so3_f64_k(w);
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/(square + 1.0e-17);
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], eq. (KinCtrlLawSO3) */
@@ -454,12 +454,12 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
     const double nu_u_1 = power_1*stretch;
     const double nu_u_2 = power_2*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const double turn_0 = nu_2*power_1 - nu_1*power_2;
     const double turn_1 = nu_0*power_2 - nu_2*power_0;
     const double turn_2 = nu_1*power_0 - nu_0*power_1;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = power_1*turn_2 - power_2*turn_1;
     const double bend_1 = power_2*turn_0 - power_0*turn_2;
     const double bend_2 = power_0*turn_1 - power_1*turn_0;

@@ -166,13 +166,13 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
         k = 3.1415927F/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw = (1.0F - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const float reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
@@ -180,12 +180,12 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
     const float nu_u_1 = g_e_2*stretch;
     const float nu_u_2 = g_e_3*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const float turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
     const float turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
     const float turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const float bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
     const float bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
     const float bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
@@ -351,13 +351,13 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
         k = 3.1415927F/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw = (1.0F - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const float reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const float stretch = 2.0F*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
@@ -365,12 +365,12 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
     const float nu_u_1 = g_2*stretch;
     const float nu_u_2 = g_3*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const float turn_0 = g_2*nu_2 - g_3*nu_1;
     const float turn_1 = g_3*nu_0 - g_1*nu_2;
     const float turn_2 = g_1*nu_1 - g_2*nu_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const float bend_0 = g_2*turn_2 - g_3*turn_1;
     const float bend_1 = g_3*turn_0 - g_1*turn_2;
     const float bend_2 = g_1*turn_1 - g_2*turn_0;
@@ -531,7 +531,8 @@ static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *p
     float *const force = command->force;
     const float *const limit = params->force_limit;
     float share = 1.0F;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0F && isfinite(force[1]) && limit[1] > 0.0F
+            && isfinite(force[2]) && limit[2] > 0.0F)) {
         quadrotor_f32_nothing(command);
         return QUADROTOR_F32_NONFINITE_INPUT;
     }

@@ -179,13 +179,13 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
         k = 3.141592653589793/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
@@ -193,12 +193,12 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
     const double nu_u_1 = g_e_2*stretch;
     const double nu_u_2 = g_e_3*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const double turn_0 = g_e_2*nu_e_2 - g_e_3*nu_e_1;
     const double turn_1 = g_e_3*nu_e_0 - g_e_1*nu_e_2;
     const double turn_2 = g_e_1*nu_e_1 - g_e_2*nu_e_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = g_e_2*turn_2 - g_e_3*turn_1;
     const double bend_1 = g_e_3*turn_0 - g_e_1*turn_2;
     const double bend_2 = g_e_1*turn_1 - g_e_2*turn_0;
@@ -364,13 +364,13 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
         k = 3.141592653589793/distance - k_near;
     }
 
-    /* h_raw: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw = (1.0 - k*w)/divisor;
 
-    /* reach: p by the scale, but for a number [1] */
+    /* reach: p times the scale of the vector part [1] */
     const double reach = k*scale;
 
-    /* stretch: ratio of nu_u to the vector part [1] */
+    /* stretch: nu_u over the vector part [1] */
     const double stretch = 2.0*reach;
 
     /* nu_u: kinematic law, the rotation vector [rad], def. (KctrLaw) */
@@ -378,12 +378,12 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
     const double nu_u_1 = g_2*stretch;
     const double nu_u_2 = g_3*stretch;
 
-    /* turn: vector part x nu_e, its share [rad/s] */
+    /* turn: vector part x nu_e [rad/s] */
     const double turn_0 = g_2*nu_2 - g_3*nu_1;
     const double turn_1 = g_3*nu_0 - g_1*nu_2;
     const double turn_2 = g_1*nu_1 - g_2*nu_0;
 
-    /* bend: vector part x that [rad/s] */
+    /* bend: vector part x turn [rad/s] */
     const double bend_0 = g_2*turn_2 - g_3*turn_1;
     const double bend_1 = g_3*turn_0 - g_1*turn_2;
     const double bend_2 = g_1*turn_1 - g_2*turn_0;
@@ -544,7 +544,8 @@ static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *p
     double *const force = command->force;
     const double *const limit = params->force_limit;
     double share = 1.0;
-    if (!(isfinite(force[0]) && isfinite(force[1]) && isfinite(force[2]))) {
+    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
+            && isfinite(force[2]) && limit[2] > 0.0)) {
         quadrotor_f64_nothing(command);
         return QUADROTOR_F64_NONFINITE_INPUT;
     }

@@ -431,13 +431,13 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw_b: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
 
-    /* reach_b: p by the scale, but for a number [1] */
+    /* reach_b: p times the scale of the vector part [1] */
     const float reach_b = k_b*scale_b;
 
-    /* stretch_b: ratio of nu_u to the vector part [1] */
+    /* stretch_b: nu_u over the vector part [1] */
     const float stretch_b = 2.0F*reach_b;
 
     /* clearance_0: the smaller clearance [1] */
@@ -483,12 +483,12 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: vector part x nu_e, its share [rad/s] */
+    /* turn_b: vector part x nu_e [rad/s] */
     const float turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2;
     const float turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0;
     const float turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1;
 
-    /* bend_b: vector part x that [rad/s] */
+    /* bend_b: vector part x turn [rad/s] */
     const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
     const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
     const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
@@ -973,13 +973,13 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     /* k_b: half angle over its sine [1] */
     const float k_b = two_bodies_f32_k(w_b);
 
-    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw_b: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const float h_raw_b = (1.0F - k_b*w_b)/(square_b + 1.0e-8F);
 
-    /* reach_b: p by the scale, but for a number [1] */
+    /* reach_b: p times the scale of the vector part [1] */
     const float reach_b = k_b*scale_b;
 
-    /* stretch_b: ratio of nu_u to the vector part [1] */
+    /* stretch_b: nu_u over the vector part [1] */
     const float stretch_b = 2.0F*reach_b;
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
@@ -1017,12 +1017,12 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const float twofold_a = h_a*h_a - 0.5F*k_a*m_a;
 
-    /* turn_b: vector part x nu_e, its share [rad/s] */
+    /* turn_b: vector part x nu_e [rad/s] */
     const float turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2;
     const float turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0;
     const float turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1;
 
-    /* bend_b: vector part x that [rad/s] */
+    /* bend_b: vector part x turn [rad/s] */
     const float bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
     const float bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
     const float bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;

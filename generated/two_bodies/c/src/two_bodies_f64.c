@@ -466,13 +466,13 @@ static double two_bodies_f64_law(const two_bodies_f64_params *params,
     /* k_b: half angle over its sine [1] */
     const double k_b = two_bodies_f64_k(w_b);
 
-    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw_b: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17);
 
-    /* reach_b: p by the scale, but for a number [1] */
+    /* reach_b: p times the scale of the vector part [1] */
     const double reach_b = k_b*scale_b;
 
-    /* stretch_b: ratio of nu_u to the vector part [1] */
+    /* stretch_b: nu_u over the vector part [1] */
     const double stretch_b = 2.0*reach_b;
 
     /* clearance_0: the smaller clearance [1] */
@@ -518,12 +518,12 @@ static double two_bodies_f64_law(const two_bodies_f64_params *params,
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const double twofold_a = h_a*h_a - 0.5*k_a*m_a;
 
-    /* turn_b: vector part x nu_e, its share [rad/s] */
+    /* turn_b: vector part x nu_e [rad/s] */
     const double turn_b_0 = nu_e_8*power_b_1 - nu_e_7*power_b_2;
     const double turn_b_1 = nu_e_6*power_b_2 - nu_e_8*power_b_0;
     const double turn_b_2 = nu_e_7*power_b_0 - nu_e_6*power_b_1;
 
-    /* bend_b: vector part x that [rad/s] */
+    /* bend_b: vector part x turn [rad/s] */
     const double bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
     const double bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
     const double bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
@@ -1008,13 +1008,13 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     /* k_b: half angle over its sine [1] */
     const double k_b = two_bodies_f64_k(w_b);
 
-    /* h_raw_b: -dk/dw by the scale's square, as s^2 h = 1 - w k [1] */
+    /* h_raw_b: -dk/dw times scale^2, as s^2 h = 1 - w k [1] */
     const double h_raw_b = (1.0 - k_b*w_b)/(square_b + 1.0e-17);
 
-    /* reach_b: p by the scale, but for a number [1] */
+    /* reach_b: p times the scale of the vector part [1] */
     const double reach_b = k_b*scale_b;
 
-    /* stretch_b: ratio of nu_u to the vector part [1] */
+    /* stretch_b: nu_u over the vector part [1] */
     const double stretch_b = 2.0*reach_b;
 
     /* nu_u: kinematic law, the logarithm and the rotation vector [rad, m], def. (KctrLaw) */
@@ -1052,12 +1052,12 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
     /* twofold_a: h^2 - k m/2, of the double root [1] */
     const double twofold_a = h_a*h_a - 0.5*k_a*m_a;
 
-    /* turn_b: vector part x nu_e, its share [rad/s] */
+    /* turn_b: vector part x nu_e [rad/s] */
     const double turn_b_0 = nu_8*power_b_1 - nu_7*power_b_2;
     const double turn_b_1 = nu_6*power_b_2 - nu_8*power_b_0;
     const double turn_b_2 = nu_7*power_b_0 - nu_6*power_b_1;
 
-    /* bend_b: vector part x that [rad/s] */
+    /* bend_b: vector part x turn [rad/s] */
     const double bend_b_0 = power_b_1*turn_b_2 - power_b_2*turn_b_1;
     const double bend_b_1 = power_b_2*turn_b_0 - power_b_0*turn_b_2;
     const double bend_b_2 = power_b_0*turn_b_1 - power_b_1*turn_b_0;
