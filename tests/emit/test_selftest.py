@@ -110,14 +110,23 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     "an inertia that is not judged": (PAPER, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
     "pointers that are not judged": (PAPER, first(r"\|\| reference == NULL", "|| 0")),
     "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "1")),
-    "a limit that is no number": (
+    "a share beyond its limit": (
         SHARED,
-        first(r"if \(!\(fabsf\(command->force\[i\]\)", "if (0 && (1"),
+        first(
+            r"return \(fabsf\(force\) <= limit\) \? force : most",
+            "return most > 0.0F && force > 0.0F ? force : fabsf(force) <= limit ? force : most",
+        ),
     ),
-    "a share beyond its limit": (SHARED, first(r"force > limit \? limit : ", "")),
-    "a share beyond it the other way": (SHARED, first(r"force < -limit \? -limit : ", "")),
-    "a share that is not the least": (SHARED, first(r"part < share \? part : share", "part")),
-    "an infinite force that is cut": (LIMITED, first(r"isfinite\(force\) && ", "")),
+    "a share beyond it the other way": (
+        SHARED,
+        first(r"return \(fabsf\(force\) <= limit\) \?", "return force <= limit ?"),
+    ),
+    "a share that is not the least": (
+        SHARED,
+        first(r"return \(part < share\) \? part", "return part ? part"),
+    ),
+    "a limit that is no number": (SHARED, first(r"limit\[2\] > 0\.0F", "1")),
+    "an infinite force that is cut": (LIMITED, first(r"isfinite\(force\[2\]\)", "1")),
 }
 """Of which vehicle what code is harmed: there must be a failure, or a crash."""
 
