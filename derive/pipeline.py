@@ -108,10 +108,9 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
     """Printed data of a vehicle, from the cache folder when it is there; None for no cache."""
     if cached is None:
         return derived(vehicle)
-    kept = ("name", "group", "own", "law", "controller", "pattern", "options",
-            "hysteresis")  # fmt: skip
+    kept = ("name", "group", "own", "law", "controller", "pattern", "options")
     said = [getattr(vehicle, field) for field in kept]
-    name = cache.key(vehicle=[*said, vehicle.limits.saturation])
+    name = cache.key(vehicle=[*said, vehicle.limits.saturation, vehicle.hysteresis])
     data: Printed | None = cache.read(cached, name)
     if data is None:
         data = derived(vehicle)
@@ -208,15 +207,9 @@ def verify(
     from derive.verify.run import run
 
     files = texts(vehicle, cached)
-    return run(
-        vehicle.name,
-        files,
-        selftest.plant_of(vehicle),
-        each=each,
-        seed=seed,
-        with_mutants=with_mutants,
-        progress=progress,
-    )
+    plant = selftest.plant_of(vehicle)
+    return run(vehicle.name, files, plant, each=each, seed=seed, with_mutants=with_mutants,
+               progress=progress)  # fmt: skip
 
 
 def prove(vehicle: Vehicle | None, progress: Callable[[str], None]) -> ProofReport:

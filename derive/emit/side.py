@@ -26,7 +26,7 @@ GIVEN = (("0", INSIDE, 1), ("0", -INSIDE, -1), ("NOT_A_NUMBER", INSIDE, 1),
 
 
 def steps(hysteresis: Fraction, scalar: str) -> list[list[str]]:
-    """Rows as C initialises them: is_kept, before, scalar, vector, after, is_near."""
+    """Rows as C initialises them: before, scalar, vector, after, is_kept, is_near."""
     rows = [("1" if place else "0", "0", part, after) for place, (part, after) in enumerate(KEPT)]
     rows += [("0", *one) for one in GIVEN]
     return [list(_row(*row, hysteresis, scalar)) for row in rows]
@@ -36,11 +36,11 @@ def _row(
     is_kept: str, before: str, part: Fraction, after: int, hysteresis: Fraction, scalar: str
 ) -> Iterator[str]:
     w = part * hysteresis
-    yield is_kept
     yield before if "N" in before else exact(float(before), scalar)
     yield exact(float(nearest(w, scalar)), scalar)
     yield exact(float(nearest(Fraction(math.sqrt(1 - w * w)), scalar)), scalar)
     yield exact(float(after), scalar)
+    yield is_kept
     yield str(int(after * w < hysteresis))
 
 

@@ -99,7 +99,9 @@ def cases(vehicle: Vehicle, limits: dict[str, float], drift: float) -> Iterator[
     yield from _ranked(row, limits["MAX_INPUT"])
     yield from _scaled(vehicle, row, drift)
     yield from _far(vehicle, row, limits)
-    if cut := elements.cut(group(vehicle), vehicle.law):
+    if vehicle.hysteresis is not None:
+        yield from _turned(vehicle, float(vehicle.hysteresis))
+    elif cut := elements.cut(group(vehicle), vehicle.law):
         yield from _cut(vehicle, *cut, limits, drift)
     else:
         for angle in (PI, 2 * PI) if elements.turner(group(vehicle)) is not None else ():
@@ -177,6 +179,14 @@ def _far(vehicle: Vehicle, row: Row, limits: dict[str, float]) -> Iterator[Case]
             if "g_r" in row:
                 far = put(far, "g_r", index, part * limits["MAX_INPUT"])
             yield Case(f"[{index}] at {part} of the largest", far, status)
+
+
+def _turned(vehicle: Vehicle, hysteresis: float) -> Iterator[Case]:
+    """Either side of half a turn, where q and -q are as far, and on to where they are one."""
+    for part, status in ((1.1, OK), (0.9, NEAR), (0.0, NEAR), (-0.9, NEAR), (-1.1, OK)):
+        angle = 2 * float(np.arccos(part * hysteresis))
+        yield Case(f"a scalar part of {part} h", good(vehicle, angle=angle), status)
+    yield Case("a full turn", good(vehicle, angle=2 * PI), OK)
 
 
 def _cut(

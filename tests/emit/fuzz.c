@@ -110,7 +110,13 @@ static int called(const input *in, NAME(command) *command)
 #if HAS_REFERENCE
     NAME(reference) reference;
     memcpy(&reference, in->x + STATE, sizeof reference);
+#if HAS_SIDE
+    NAME(side) side;
+    side.sign = any_bits();
+    return (int)NAME(control)(&NAME(defaults), &state, &reference, &side, command);
+#else
     return (int)NAME(control)(&NAME(defaults), &state, &reference, command);
+#endif
 #else
     return (int)NAME(control)(&NAME(defaults), &state, command);
 #endif

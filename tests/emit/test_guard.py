@@ -197,7 +197,11 @@ def test_unchecked_parameters_give_a_finite_force(
             assert made.check_params(params) == BAD, told
 
 
-POLES = [v for v in GUARDED if (found := elements.cut(group(v), v.law)) and found[1]]
+POLES = [
+    v
+    for v in GUARDED
+    if v.hysteresis is None and (found := elements.cut(group(v), v.law)) and found[1]
+]
 
 
 @every_scalar
@@ -248,6 +252,7 @@ def fuzzer(vehicle: Vehicle, scalar: str, folder: Path) -> Path:
     known, prefix = group(vehicle), f"{vehicle.name}_{scalar}"
     given = {"HEADER": f'"{prefix}.h"', "PREFIX": prefix, "MACRO": prefix.upper(), "REAL": real}
     given |= {"BITS": bits, "STORED": str(known.size), "DIM": str(known.dim)}
+    given |= {"HAS_SIDE": str(int(vehicle.hysteresis is not None))}
     given |= {"FIELDS": str(len(command(vehicle)))}
     given |= {"HAS_REFERENCE": str(int(is_tracking(vehicle))), "ROWS": str(rows(vehicle))}
     given |= {"HAS_RESIDUAL": str(int(has_residual(vehicle)))}

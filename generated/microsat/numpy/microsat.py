@@ -93,8 +93,8 @@ def control(
     with np.errstate(all="ignore"):
         g_e = _batched(_error, [given[3], given[5]])[0]
         sign = _chosen(kept, g_e[..., :1])
-        *command, _ = _batched(_law, [given[0], given[1], given[2], given[4], given[6], given[7],
-            sign * g_e])
+        command = _batched(_law, [given[0], given[1], given[2], given[4], given[6], given[7],
+            sign * g_e])[:4]
         good = (np.abs(g_e) <= BOUNDS).all(-1)
         good = good & ((np.abs(given[3]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[4]) <= MAX_INPUT).all(-1)

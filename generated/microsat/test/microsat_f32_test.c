@@ -1140,39 +1140,39 @@ static int share_failures(void)
     return failures;
 }
 
-/* Errors turned about one axis: the side before the call, or the one that was left where `is_kept`,
-   the scalar part and the length of the vector part, the side after it, and whether that is near.
-           */
+/* Errors turned about one axis: the side before the call, the scalar part and the length of the
+   vector part, the side after it; whether the side is the one that was left, and whether it is
+           near. */
 typedef struct {
-    int is_kept;
     float before;
     float scalar;
     float vector;
     float after;
+    int is_kept;
     int is_near;
 } step;
 
 static const step steps[20] = {
-    {0, 0.0F, 0.125F, 0.99215674F, 1.0F, 0},
-    {1, 0.0F, 0.075F, 0.99718356F, 1.0F, 1},
-    {1, 0.0F, -0.075F, 0.99718356F, 1.0F, 1},
-    {1, 0.0F, 0.075F, 0.99718356F, 1.0F, 1},
-    {1, 0.0F, -0.075F, 0.99718356F, 1.0F, 1},
-    {1, 0.0F, -0.125F, 0.99215674F, -1.0F, 0},
-    {1, 0.0F, -0.075F, 0.99718356F, -1.0F, 1},
-    {1, 0.0F, 0.075F, 0.99718356F, -1.0F, 1},
-    {1, 0.0F, -0.075F, 0.99718356F, -1.0F, 1},
-    {1, 0.0F, 0.125F, 0.99215674F, 1.0F, 0},
-    {0, 0.0F, 0.075F, 0.99718356F, 1.0F, 1},
-    {0, 0.0F, -0.075F, 0.99718356F, -1.0F, 1},
-    {0, NOT_A_NUMBER, 0.075F, 0.99718356F, 1.0F, 1},
-    {0, NOT_A_NUMBER, -0.075F, 0.99718356F, -1.0F, 1},
-    {0, 7.0F, -0.075F, 0.99718356F, 1.0F, 1},
-    {0, 7.0F, -0.125F, 0.99215674F, -1.0F, 0},
-    {0, INFINITE, -0.075F, 0.99718356F, 1.0F, 1},
-    {0, -INFINITE, 0.075F, 0.99718356F, -1.0F, 1},
-    {0, -7.0F, 0.125F, 0.99215674F, 1.0F, 0},
-    {0, 0.0F, 0.0F, 1.0F, 1.0F, 1}
+    {0.0F, 0.125F, 0.99215674F, 1.0F, 0, 0},
+    {0.0F, 0.075F, 0.99718356F, 1.0F, 1, 1},
+    {0.0F, -0.075F, 0.99718356F, 1.0F, 1, 1},
+    {0.0F, 0.075F, 0.99718356F, 1.0F, 1, 1},
+    {0.0F, -0.075F, 0.99718356F, 1.0F, 1, 1},
+    {0.0F, -0.125F, 0.99215674F, -1.0F, 1, 0},
+    {0.0F, -0.075F, 0.99718356F, -1.0F, 1, 1},
+    {0.0F, 0.075F, 0.99718356F, -1.0F, 1, 1},
+    {0.0F, -0.075F, 0.99718356F, -1.0F, 1, 1},
+    {0.0F, 0.125F, 0.99215674F, 1.0F, 1, 0},
+    {0.0F, 0.075F, 0.99718356F, 1.0F, 0, 1},
+    {0.0F, -0.075F, 0.99718356F, -1.0F, 0, 1},
+    {NOT_A_NUMBER, 0.075F, 0.99718356F, 1.0F, 0, 1},
+    {NOT_A_NUMBER, -0.075F, 0.99718356F, -1.0F, 0, 1},
+    {7.0F, -0.075F, 0.99718356F, 1.0F, 0, 1},
+    {7.0F, -0.125F, 0.99215674F, -1.0F, 0, 0},
+    {INFINITE, -0.075F, 0.99718356F, 1.0F, 0, 1},
+    {-INFINITE, 0.075F, 0.99718356F, -1.0F, 0, 1},
+    {-7.0F, 0.125F, 0.99215674F, 1.0F, 0, 0},
+    {0.0F, 0.0F, 1.0F, 1.0F, 0, 1}
 };
 
 /* The law of the error as it was taken, bit for bit, and what else is said of a step. */
