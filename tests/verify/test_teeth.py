@@ -69,7 +69,7 @@ def kernel_coefficient_off(patch: Patch) -> None:
 
 def quaternion_of_transpose(patch: Patch) -> None:
     right = cover._quadruple
-    patch.setattr(cover, "_quadruple", lambda R: right(R.T))
+    patch.setattr(cover, "_quadruple", lambda let, R: right(let, R.T))
 
 
 def rate_along_axis_doubled(patch: Patch) -> None:
