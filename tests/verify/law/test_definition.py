@@ -172,12 +172,12 @@ SO3_LOG, GIBBS = LAWS["SO3", "log"], LAWS["SO3", "gibbs"]
         ("SO3", _false(GIBBS, is_pole=False), "states no pole"),
         (
             "SO3",
-            _false(SO3_LOG, Quaternion(lambda let, error: K(error.w), None)),
+            _false(SO3_LOG, Quaternion(lambda let, e: K(e.w), None)),
             "where its clearance",
         ),
         (
             "SO3",
-            _false(SO3_LOG, Quaternion(lambda let, error: K(error.w) / 2, _w)),
+            _false(SO3_LOG, Quaternion(lambda let, e: K(e.w) / 2, _w)),
             "y = phi/2*cot",
         ),
         ("S3", _false(LAWS["S3", "log"], is_pole=False), "states no pole"),
