@@ -34,6 +34,7 @@ def plant_of(vehicle: Vehicle) -> Plant:
         options=vehicle.options,
         force_limit=vehicle.limits.force,
         saturation=vehicle.limits.saturation,
+        max_drift=vehicle.limits.drift,
         hysteresis=vehicle.hysteresis,
     )
 

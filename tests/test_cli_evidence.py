@@ -153,10 +153,15 @@ def test_a_package_that_cannot_be_written_into_is_told_before_the_work(
     assert "Permission denied" in said
 
 
+def made_folder(page: Path) -> None:
+    page.mkdir()
+    (page / "x").touch()
+
+
 MAKE: dict[str, Callable[[Path], None]] = {
     "link": lambda page: page.symlink_to("trace.csv"),
     "pipe": os.mkfifo,
-    "folder": lambda page: (page / "x").mkdir(parents=True),
+    "folder": made_folder,
 }
 
 

@@ -65,12 +65,12 @@ def choose(*cases: tuple[Matrix, Any]) -> Matrix:
 
 def at_least(value: Expr, least: Expr | int) -> Expr:
     """max(value, least): a bound that interval arithmetic sees, and no rotation meets."""
-    return Piecewise((sympy.sympify(least), value < least), (value, True), evaluate=False)
+    return Piecewise((sympy.sympify(least), value <= least), (value, True), evaluate=False)
 
 
 def at_most(value: Expr, most: Expr | int) -> Expr:
     """min(value, most)."""
-    return Piecewise((sympy.sympify(most), value > most), (value, True), evaluate=False)
+    return Piecewise((sympy.sympify(most), value >= most), (value, True), evaluate=False)
 
 
 def let_cosine(let: Let, value: Expr) -> Expr:

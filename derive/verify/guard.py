@@ -28,6 +28,10 @@ UNSURE = 1e-3
 """Relative distance from a threshold of the clearance within which either status is right."""
 
 
+SLIGHT = 4e-3
+"""What all numbers are stretched by: their distance from the group is then at least as much."""
+
+
 def guard(subject: Subject) -> Iterator[Check]:
     """`control` on good states, on bad ones, and `check_params`."""
     for backend in subject.backends:
@@ -126,7 +130,7 @@ def _with(states: States, name: str, value: float, among: Array | None = None) -
 
 
 def _off_group(vehicle: Plant, states: States, name: str) -> Iterator[States]:
-    """The same off the group: one number made 2, all of them doubled on a user's group.
+    """The same off the group: one number made 2, all a little larger; doubled on a user's group.
 
     On R^n there is none; nor is a double where all multiples of an element are elements.
     """
@@ -135,6 +139,8 @@ def _off_group(vehicle: Plant, states: States, name: str) -> Iterator[States]:
         fixed = np.flatnonzero(np.concatenate([one.is_fixed() for one in group.shapes]))
         if len(fixed):
             yield _with(states, name, 2.0, fixed)
+            if (vehicle.max_drift or 0) < SLIGHT:  # within MAX_ENTRY: the distance alone tells
+                yield replace(states, **{name: (1 + SLIGHT) * getattr(states, name)})
     elif not group.shapes[0].holds_one():
         yield replace(states, **{name: 2 * getattr(states, name)})
 

@@ -20,6 +20,7 @@ class Plant:
 
     force_limit, saturation: what `control` keeps the force to, n numbers, and whether it keeps
         its "direction" or cuts each "axis"; empty where it keeps to nothing
+    max_drift: distance from the group that is fine; None for that of each scalar
     hysteresis: where `control` takes the error q or -q, by how much it keeps to its choice
     own:     n matrices (m, m), the basis of a user's group; None for a group known by its name
     options: of "external" and "momentum", what the state holds besides
@@ -34,6 +35,7 @@ class Plant:
     options: tuple[str, ...] = ()
     force_limit: tuple[Fraction, ...] = ()
     saturation: str = ""
+    max_drift: Fraction | None = None
     hysteresis: Fraction | None = None
 
     @property

@@ -158,7 +158,7 @@ def is_compact(group: Group) -> bool:
 
 def grows(group: Group) -> list[int]:
     """Places of translations and of coordinates of R^n, which an element may have of any size."""
-    found, start = [], 0
+    found, start = list[int](), 0
     for one in parts(group):
         size = TURNED.get(one.name) if one.name not in BASES else None
         if len(one.shape) == 1 and one.name != "S3":

@@ -65,8 +65,8 @@ def refused(vehicle: Vehicle, defaults: dict[str, Array]) -> Iterator[Changed]:
         bad = [0.0, -0.0, -1.0, -LIMIT, NAN, INF, -INF, 1.001 * largest(vehicle, name), 2 * LIMIT]
         bad += [0.999 * LEAST] if name != "max_drift" else []
         kept = defaults[name].astype(float)
-        for value, index in product(bad, np.ndindex(kept.shape)):
-            yield f"{name}{list(index)} = {value}", {name: changed(kept, index, value)}
+        for value, place in product(bad, np.ndindex(kept.shape)):
+            yield f"{name}{list(place)} = {value}", {name: changed(kept, place, value)}
     yield from indefinite(vehicle, inertia)
 
 

@@ -12,6 +12,7 @@ import pytest
 from derive.evidence import defect, eva, quaternion
 from derive.evidence.analysed import MARK, analysed, places, statements
 from derive.evidence.emitted import Emitted
+from derive.evidence.entry import ANY_BITS
 from derive.evidence.tool import ToolFailed
 from tests.evidence.attacked import needed
 
@@ -132,4 +133,4 @@ def test_a_defect_that_changes_nothing_is_missed(monkeypatch: pytest.MonkeyPatch
 def test_a_source_that_is_no_c_is_a_clear_failure() -> None:
     emitted = package("sl2", "f64")
     with needed(), pytest.raises(ToolFailed, match=r"frama-c ended with"):
-        eva.ran(emitted, emitted.source.read_text(encoding="utf-8") + "\nint {", eva.ANY_BITS)
+        eva.ran(emitted, emitted.source.read_text(encoding="utf-8") + "\nint {", ANY_BITS)

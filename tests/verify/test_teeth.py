@@ -69,7 +69,7 @@ def kernel_coefficient_off(patch: Patch) -> None:
 
 def quaternion_of_transpose(patch: Patch) -> None:
     right = cover._quadruple
-    patch.setattr(cover, "_quadruple", lambda R: right(R.T))
+    patch.setattr(cover, "_quadruple", lambda let, R: right(let, R.T))
 
 
 def rate_along_axis_doubled(patch: Patch) -> None:
@@ -133,16 +133,16 @@ def test_a_break_turns_the_suite_red(harm: Callable[[Patch], None], monkeypatch:
 
 
 def test_a_break_on_s3_turns_the_suite_red(monkeypatch: Patch) -> None:
-    """Beyond pi the kernel goes on by k(w) = pi/s - k(-w); leave that out."""
-    monkeypatch.setattr(cover, "_full", lambda let, w, v: cover._half(let, w))
+    """Beyond pi the kernel goes on by k(w) = pi/s - k(-w); take 3 for pi."""
+    monkeypatch.setattr(cover, "pi", sympy.Integer(3))
     assert failures(verified(with_law("S3", "log"), each=3)) != []
 
 
 EDITS = (
     ("reaching: sign of s", "command->s[0] = s_0;", "command->s[0] = -s_0;", -1),
     ("reaching: entry of the rate", "nu_u_dot[0] = nu_u_dot_0;", "nu_u_dot[0] = nu_u_dot_1;", -1),
-    ("control: sign of the force", "status = paper_so3_f64_verdict(",
-     "command->force[0] = -command->force[0]; status = paper_so3_f64_verdict(", 0),
+    ("control: sign of the force", "return paper_so3_f64_verdict(",
+     "command->force[0] = -command->force[0]; return paper_so3_f64_verdict(", 0),
     ("control: any drift will do", "<= params->max_drift*params->max_drift", "<= 1e9", 0),
     ("check_params: first pivot", "pivot[0] = inertia_0;", "pivot[0] = 1.0;", 0),
 )  # fmt: skip

@@ -376,7 +376,7 @@ def _law(
     # norm_square: its squared length [1]
     norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded_if_0 = norm_square.real <= 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
     norm = np.sqrt(norm_bounded)
@@ -500,7 +500,7 @@ def _reaching(
     # norm_square: its squared length [1]
     norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded_if_0 = norm_square.real <= 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
     norm = np.sqrt(norm_bounded)

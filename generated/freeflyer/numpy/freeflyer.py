@@ -476,7 +476,7 @@ def _law(
     # norm_square: its squared length [1]
     norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded_if_0 = norm_square.real <= 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
     norm = np.sqrt(norm_bounded)
@@ -488,7 +488,7 @@ def _law(
     # cosine: cos of half the error angle, rounded [1]
     cosine = power_3*scale
     # w: cos of half the error angle [1]
-    w_if_0 = cosine.real > 1.0
+    w_if_0 = cosine.real >= 1.0
     w = np.where(w_if_0, 1.0, cosine)
     # v: sin of half the error angle times its axis [1]
     v_0 = power_0*scale
@@ -687,7 +687,7 @@ def _reaching(
     # norm_square: its squared length [1]
     norm_square = square + power_3*power_3
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 49.0
+    norm_bounded_if_0 = norm_square.real <= 49.0
     norm_bounded = np.where(norm_bounded_if_0, 49.0, norm_square)
     # norm: its length [1]
     norm = np.sqrt(norm_bounded)
@@ -699,7 +699,7 @@ def _reaching(
     # cosine: cos of half the error angle, rounded [1]
     cosine = power_3*scale
     # w: cos of half the error angle [1]
-    w_if_0 = cosine.real > 1.0
+    w_if_0 = cosine.real >= 1.0
     w = np.where(w_if_0, 1.0, cosine)
     # v: sin of half the error angle times its axis [1]
     v_0 = power_0*scale

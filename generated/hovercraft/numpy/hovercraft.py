@@ -344,7 +344,7 @@ def _law(
     # norm_square: their squared length [1]
     norm_square = twice_0*twice_0 + twice_1*twice_1
     # norm_bounded: the same: less is no turn [1]
-    norm_bounded_if_0 = norm_square.real < 3.0
+    norm_bounded_if_0 = norm_square.real <= 3.0
     norm_bounded = np.where(norm_bounded_if_0, 3.0, norm_square)
     # norm: their length [1]
     norm = np.sqrt(norm_bounded)
@@ -356,14 +356,14 @@ def _law(
     # column_square: squared length [1]
     column_square = column_0*column_0 + column_1*column_1
     # column_bounded: the same [1]
-    column_bounded_if_0 = column_square.real < 3.0
+    column_bounded_if_0 = column_square.real <= 3.0
     column_bounded = np.where(column_bounded_if_0, 3.0, column_square)
     # scale: to unit length [1]
     scale = 1.0/np.sqrt(column_bounded)
     # cosine: cos of half the error angle, rounded [1]
     cosine = column_0*scale
     # w: cos of half the error angle [1]
-    w_if_0 = cosine.real > 1.0
+    w_if_0 = cosine.real >= 1.0
     w = np.where(w_if_0, 1.0, cosine)
     # sine: sin of half the error angle [1]
     sine = column_1*scale
@@ -442,7 +442,7 @@ def _reaching(
     # norm_square: their squared length [1]
     norm_square = twice_0*twice_0 + twice_1*twice_1
     # norm_bounded: the same: less is no turn [1]
-    norm_bounded_if_0 = norm_square.real < 3.0
+    norm_bounded_if_0 = norm_square.real <= 3.0
     norm_bounded = np.where(norm_bounded_if_0, 3.0, norm_square)
     # norm: their length [1]
     norm = np.sqrt(norm_bounded)
@@ -454,14 +454,14 @@ def _reaching(
     # column_square: squared length [1]
     column_square = column_0*column_0 + column_1*column_1
     # column_bounded: the same [1]
-    column_bounded_if_0 = column_square.real < 3.0
+    column_bounded_if_0 = column_square.real <= 3.0
     column_bounded = np.where(column_bounded_if_0, 3.0, column_square)
     # scale: to unit length [1]
     scale = 1.0/np.sqrt(column_bounded)
     # cosine: cos of half the error angle, rounded [1]
     cosine = column_0*scale
     # w: cos of half the error angle [1]
-    w_if_0 = cosine.real > 1.0
+    w_if_0 = cosine.real >= 1.0
     w = np.where(w_if_0, 1.0, cosine)
     # sine: sin of half the error angle [1]
     sine = column_1*scale

@@ -327,7 +327,7 @@ def _law(
     # norm_square: its squared length [1]
     norm_square = square + g_e_0*g_e_0
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded_if_0 = norm_square.real <= 1.0e-8.real
     norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
     # norm: its length [1]
     norm = np.sqrt(norm_bounded)
@@ -433,7 +433,7 @@ def _reaching(
     # norm_square: its squared length [1]
     norm_square = square + g_0*g_0
     # norm_bounded: the same: less is no element [1]
-    norm_bounded_if_0 = norm_square.real < 1.0e-8.real
+    norm_bounded_if_0 = norm_square.real <= 1.0e-8.real
     norm_bounded = np.where(norm_bounded_if_0, 1.0e-8, norm_square)
     # norm: its length [1]
     norm = np.sqrt(norm_bounded)

@@ -507,7 +507,7 @@ def _law(
     # norm_square_a: its squared length [1]
     norm_square_a = square_a + power_a_3*power_a_3
     # norm_bounded_a: the same: less is no element [1]
-    norm_bounded_a_if_0 = norm_square_a.real < 49.0
+    norm_bounded_a_if_0 = norm_square_a.real <= 49.0
     norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
     # norm_a: its length [1]
     norm_a = np.sqrt(norm_bounded_a)
@@ -519,7 +519,7 @@ def _law(
     # cosine_a: cos of half the error angle, rounded [1]
     cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
-    w_a_if_0 = cosine_a.real > 1.0
+    w_a_if_0 = cosine_a.real >= 1.0
     w_a = np.where(w_a_if_0, 1.0, cosine_a)
     # v_a: sin of half the error angle times its axis [1]
     v_a_0 = power_a_0*scale_a
@@ -597,7 +597,7 @@ def _law(
     # norm_square_b: its squared length [1]
     norm_square_b = square_b + power_b_3*power_b_3
     # norm_bounded_b: the same: less is no element [1]
-    norm_bounded_b_if_0 = norm_square_b.real < 49.0
+    norm_bounded_b_if_0 = norm_square_b.real <= 49.0
     norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
     # norm_b: its length [1]
     norm_b = np.sqrt(norm_bounded_b)
@@ -817,7 +817,7 @@ def _reaching(
     # norm_square_a: its squared length [1]
     norm_square_a = square_a + power_a_3*power_a_3
     # norm_bounded_a: the same: less is no element [1]
-    norm_bounded_a_if_0 = norm_square_a.real < 49.0
+    norm_bounded_a_if_0 = norm_square_a.real <= 49.0
     norm_bounded_a = np.where(norm_bounded_a_if_0, 49.0, norm_square_a)
     # norm_a: its length [1]
     norm_a = np.sqrt(norm_bounded_a)
@@ -829,7 +829,7 @@ def _reaching(
     # cosine_a: cos of half the error angle, rounded [1]
     cosine_a = power_a_3*scale_a
     # w_a: cos of half the error angle [1]
-    w_a_if_0 = cosine_a.real > 1.0
+    w_a_if_0 = cosine_a.real >= 1.0
     w_a = np.where(w_a_if_0, 1.0, cosine_a)
     # v_a: sin of half the error angle times its axis [1]
     v_a_0 = power_a_0*scale_a
@@ -907,7 +907,7 @@ def _reaching(
     # norm_square_b: its squared length [1]
     norm_square_b = square_b + power_b_3*power_b_3
     # norm_bounded_b: the same: less is no element [1]
-    norm_bounded_b_if_0 = norm_square_b.real < 49.0
+    norm_bounded_b_if_0 = norm_square_b.real <= 49.0
     norm_bounded_b = np.where(norm_bounded_b_if_0, 49.0, norm_square_b)
     # norm_b: its length [1]
     norm_b = np.sqrt(norm_bounded_b)

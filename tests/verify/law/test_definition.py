@@ -158,8 +158,8 @@ def _false(law: KinematicLaw, write: Any = None, **claims: Any) -> KinematicLaw:
     return replace(law, write=write or law.write, **claims)
 
 
-def _w(let: Any, w: Any, v: Any) -> Any:
-    return w
+def _w(let: Any, error: Any) -> Any:
+    return error.w
 
 
 SO3_LOG, GIBBS = LAWS["SO3", "log"], LAWS["SO3", "gibbs"]
@@ -170,8 +170,16 @@ SO3_LOG, GIBBS = LAWS["SO3", "log"], LAWS["SO3", "gibbs"]
     [
         ("SO3", _false(SO3_LOG, is_pole=True), "states a pole, and the law only jumps"),
         ("SO3", _false(GIBBS, is_pole=False), "states no pole"),
-        ("SO3", _false(SO3_LOG, Quaternion(lambda let, w, v: K(w), None)), "where its clearance"),
-        ("SO3", _false(SO3_LOG, Quaternion(lambda let, w, v: K(w) / 2, _w)), "y = phi/2*cot"),
+        (
+            "SO3",
+            _false(SO3_LOG, Quaternion(lambda let, error: K(error.w), None)),
+            "where its clearance",
+        ),
+        (
+            "SO3",
+            _false(SO3_LOG, Quaternion(lambda let, error: K(error.w) / 2, _w)),
+            "y = phi/2*cot",
+        ),
         ("S3", _false(LAWS["S3", "log"], is_pole=False), "states no pole"),
     ],
 )

@@ -158,7 +158,7 @@ static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;
@@ -373,7 +373,7 @@ void cubesat_3u_f32_reaching(const cubesat_3u_f32_params *params, const cubesat_
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;

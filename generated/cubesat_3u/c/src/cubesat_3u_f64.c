@@ -170,7 +170,7 @@ static double cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;
@@ -385,7 +385,7 @@ void cubesat_3u_f64_reaching(const cubesat_3u_f64_params *params, const cubesat_
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;

@@ -240,7 +240,7 @@ static float freeflyer_f32_law(const freeflyer_f32_params *params, const freefly
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;
@@ -265,7 +265,7 @@ static float freeflyer_f32_law(const freeflyer_f32_params *params, const freefly
 
     /* w: cos of half the error angle [1] */
     float w;
-    if (cosine > 1.0F) {
+    if (cosine >= 1.0F) {
         w = 1.0F;
     } else {
         w = cosine;
@@ -671,7 +671,7 @@ void freeflyer_f32_reaching(const freeflyer_f32_params *params, const freeflyer_
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;
@@ -696,7 +696,7 @@ void freeflyer_f32_reaching(const freeflyer_f32_params *params, const freeflyer_
 
     /* w: cos of half the error angle [1] */
     float w;
-    if (cosine > 1.0F) {
+    if (cosine >= 1.0F) {
         w = 1.0F;
     } else {
         w = cosine;

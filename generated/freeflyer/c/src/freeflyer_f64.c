@@ -277,7 +277,7 @@ static double freeflyer_f64_law(const freeflyer_f64_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;
@@ -302,7 +302,7 @@ static double freeflyer_f64_law(const freeflyer_f64_params *params,
 
     /* w: cos of half the error angle [1] */
     double w;
-    if (cosine > 1.0) {
+    if (cosine >= 1.0) {
         w = 1.0;
     } else {
         w = cosine;
@@ -708,7 +708,7 @@ void freeflyer_f64_reaching(const freeflyer_f64_params *params, const freeflyer_
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;
@@ -733,7 +733,7 @@ void freeflyer_f64_reaching(const freeflyer_f64_params *params, const freeflyer_
 
     /* w: cos of half the error angle [1] */
     double w;
-    if (cosine > 1.0) {
+    if (cosine >= 1.0) {
         w = 1.0;
     } else {
         w = cosine;

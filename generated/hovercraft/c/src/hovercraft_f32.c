@@ -131,7 +131,7 @@ static float hovercraft_f32_law(const hovercraft_f32_params *params,
 
     /* norm_bounded: the same: less is no turn [1] */
     float norm_bounded;
-    if (norm_square < 3.0F) {
+    if (norm_square <= 3.0F) {
         norm_bounded = 3.0F;
     } else {
         norm_bounded = norm_square;
@@ -158,7 +158,7 @@ static float hovercraft_f32_law(const hovercraft_f32_params *params,
 
     /* column_bounded: the same [1] */
     float column_bounded;
-    if (column_square < 3.0F) {
+    if (column_square <= 3.0F) {
         column_bounded = 3.0F;
     } else {
         column_bounded = column_square;
@@ -172,7 +172,7 @@ static float hovercraft_f32_law(const hovercraft_f32_params *params,
 
     /* w: cos of half the error angle [1] */
     float w;
-    if (cosine > 1.0F) {
+    if (cosine >= 1.0F) {
         w = 1.0F;
     } else {
         w = cosine;
@@ -337,7 +337,7 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
 
     /* norm_bounded: the same: less is no turn [1] */
     float norm_bounded;
-    if (norm_square < 3.0F) {
+    if (norm_square <= 3.0F) {
         norm_bounded = 3.0F;
     } else {
         norm_bounded = norm_square;
@@ -364,7 +364,7 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
 
     /* column_bounded: the same [1] */
     float column_bounded;
-    if (column_square < 3.0F) {
+    if (column_square <= 3.0F) {
         column_bounded = 3.0F;
     } else {
         column_bounded = column_square;
@@ -378,7 +378,7 @@ void hovercraft_f32_reaching(const hovercraft_f32_params *params, const hovercra
 
     /* w: cos of half the error angle [1] */
     float w;
-    if (cosine > 1.0F) {
+    if (cosine >= 1.0F) {
         w = 1.0F;
     } else {
         w = cosine;

@@ -155,7 +155,7 @@ static double hovercraft_f64_law(const hovercraft_f64_params *params,
 
     /* norm_bounded: the same: less is no turn [1] */
     double norm_bounded;
-    if (norm_square < 3.0) {
+    if (norm_square <= 3.0) {
         norm_bounded = 3.0;
     } else {
         norm_bounded = norm_square;
@@ -182,7 +182,7 @@ static double hovercraft_f64_law(const hovercraft_f64_params *params,
 
     /* column_bounded: the same [1] */
     double column_bounded;
-    if (column_square < 3.0) {
+    if (column_square <= 3.0) {
         column_bounded = 3.0;
     } else {
         column_bounded = column_square;
@@ -196,7 +196,7 @@ static double hovercraft_f64_law(const hovercraft_f64_params *params,
 
     /* w: cos of half the error angle [1] */
     double w;
-    if (cosine > 1.0) {
+    if (cosine >= 1.0) {
         w = 1.0;
     } else {
         w = cosine;
@@ -361,7 +361,7 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
 
     /* norm_bounded: the same: less is no turn [1] */
     double norm_bounded;
-    if (norm_square < 3.0) {
+    if (norm_square <= 3.0) {
         norm_bounded = 3.0;
     } else {
         norm_bounded = norm_square;
@@ -388,7 +388,7 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
 
     /* column_bounded: the same [1] */
     double column_bounded;
-    if (column_square < 3.0) {
+    if (column_square <= 3.0) {
         column_bounded = 3.0;
     } else {
         column_bounded = column_square;
@@ -402,7 +402,7 @@ void hovercraft_f64_reaching(const hovercraft_f64_params *params, const hovercra
 
     /* w: cos of half the error angle [1] */
     double w;
-    if (cosine > 1.0) {
+    if (cosine >= 1.0) {
         w = 1.0;
     } else {
         w = cosine;

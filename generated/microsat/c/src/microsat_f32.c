@@ -123,7 +123,7 @@ static float microsat_f32_law(const microsat_f32_params *params, const microsat_
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 0.75F) {
+    if (norm_square <= 0.75F) {
         norm_bounded = 0.75F;
     } else {
         norm_bounded = norm_square;
@@ -328,7 +328,7 @@ void microsat_f32_reaching(const microsat_f32_params *params, const microsat_f32
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 0.75F) {
+    if (norm_square <= 0.75F) {
         norm_bounded = 0.75F;
     } else {
         norm_bounded = norm_square;

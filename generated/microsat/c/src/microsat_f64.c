@@ -135,7 +135,7 @@ static double microsat_f64_law(const microsat_f64_params *params, const microsat
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-8) {
+    if (norm_square <= 1.0e-8) {
         norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
@@ -340,7 +340,7 @@ void microsat_f64_reaching(const microsat_f64_params *params, const microsat_f64
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-8) {
+    if (norm_square <= 1.0e-8) {
         norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;

@@ -122,7 +122,7 @@ static float paper_s3_f32_law(const paper_s3_f32_params *params, const paper_s3_
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 0.75F) {
+    if (norm_square <= 0.75F) {
         norm_bounded = 0.75F;
     } else {
         norm_bounded = norm_square;
@@ -329,7 +329,7 @@ void paper_s3_f32_reaching(const paper_s3_f32_params *params, const paper_s3_f32
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 0.75F) {
+    if (norm_square <= 0.75F) {
         norm_bounded = 0.75F;
     } else {
         norm_bounded = norm_square;

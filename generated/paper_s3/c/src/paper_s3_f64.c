@@ -134,7 +134,7 @@ static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-8) {
+    if (norm_square <= 1.0e-8) {
         norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
@@ -341,7 +341,7 @@ void paper_s3_f64_reaching(const paper_s3_f64_params *params, const paper_s3_f64
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-8) {
+    if (norm_square <= 1.0e-8) {
         norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;

@@ -155,7 +155,7 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;
@@ -401,7 +401,7 @@ void paper_so3_f32_reaching(const paper_so3_f32_params *params, const paper_so3_
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;

@@ -168,7 +168,7 @@ static double paper_so3_f64_law(const paper_so3_f64_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;
@@ -414,7 +414,7 @@ void paper_so3_f64_reaching(const paper_so3_f64_params *params, const paper_so3_
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;

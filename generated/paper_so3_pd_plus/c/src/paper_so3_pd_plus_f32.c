@@ -134,7 +134,7 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;

@@ -134,7 +134,7 @@ static double paper_so3_pd_plus_f64_law(const paper_so3_pd_plus_f64_params *para
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;

@@ -122,7 +122,7 @@ static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrot
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 0.75F) {
+    if (norm_square <= 0.75F) {
         norm_bounded = 0.75F;
     } else {
         norm_bounded = norm_square;
@@ -307,7 +307,7 @@ void quadrotor_f32_reaching(const quadrotor_f32_params *params, const quadrotor_
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 0.75F) {
+    if (norm_square <= 0.75F) {
         norm_bounded = 0.75F;
     } else {
         norm_bounded = norm_square;

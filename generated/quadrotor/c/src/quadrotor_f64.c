@@ -135,7 +135,7 @@ static double quadrotor_f64_law(const quadrotor_f64_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-8) {
+    if (norm_square <= 1.0e-8) {
         norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;
@@ -320,7 +320,7 @@ void quadrotor_f64_reaching(const quadrotor_f64_params *params, const quadrotor_
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 1.0e-8) {
+    if (norm_square <= 1.0e-8) {
         norm_bounded = 1.0e-8;
     } else {
         norm_bounded = norm_square;

@@ -275,7 +275,7 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
 
     /* norm_bounded_a: the same: less is no element [1] */
     float norm_bounded_a;
-    if (norm_square_a < 49.0F) {
+    if (norm_square_a <= 49.0F) {
         norm_bounded_a = 49.0F;
     } else {
         norm_bounded_a = norm_square_a;
@@ -300,7 +300,7 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
 
     /* w_a: cos of half the error angle [1] */
     float w_a;
-    if (cosine_a > 1.0F) {
+    if (cosine_a >= 1.0F) {
         w_a = 1.0F;
     } else {
         w_a = cosine_a;
@@ -405,7 +405,7 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
 
     /* norm_bounded_b: the same: less is no element [1] */
     float norm_bounded_b;
-    if (norm_square_b < 49.0F) {
+    if (norm_square_b <= 49.0F) {
         norm_bounded_b = 49.0F;
     } else {
         norm_bounded_b = norm_square_b;
@@ -817,7 +817,7 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
 
     /* norm_bounded_a: the same: less is no element [1] */
     float norm_bounded_a;
-    if (norm_square_a < 49.0F) {
+    if (norm_square_a <= 49.0F) {
         norm_bounded_a = 49.0F;
     } else {
         norm_bounded_a = norm_square_a;
@@ -842,7 +842,7 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
 
     /* w_a: cos of half the error angle [1] */
     float w_a;
-    if (cosine_a > 1.0F) {
+    if (cosine_a >= 1.0F) {
         w_a = 1.0F;
     } else {
         w_a = cosine_a;
@@ -947,7 +947,7 @@ void two_bodies_f32_reaching(const two_bodies_f32_params *params, const two_bodi
 
     /* norm_bounded_b: the same: less is no element [1] */
     float norm_bounded_b;
-    if (norm_square_b < 49.0F) {
+    if (norm_square_b <= 49.0F) {
         norm_bounded_b = 49.0F;
     } else {
         norm_bounded_b = norm_square_b;

@@ -310,7 +310,7 @@ static double two_bodies_f64_law(const two_bodies_f64_params *params,
 
     /* norm_bounded_a: the same: less is no element [1] */
     double norm_bounded_a;
-    if (norm_square_a < 49.0) {
+    if (norm_square_a <= 49.0) {
         norm_bounded_a = 49.0;
     } else {
         norm_bounded_a = norm_square_a;
@@ -335,7 +335,7 @@ static double two_bodies_f64_law(const two_bodies_f64_params *params,
 
     /* w_a: cos of half the error angle [1] */
     double w_a;
-    if (cosine_a > 1.0) {
+    if (cosine_a >= 1.0) {
         w_a = 1.0;
     } else {
         w_a = cosine_a;
@@ -440,7 +440,7 @@ static double two_bodies_f64_law(const two_bodies_f64_params *params,
 
     /* norm_bounded_b: the same: less is no element [1] */
     double norm_bounded_b;
-    if (norm_square_b < 49.0) {
+    if (norm_square_b <= 49.0) {
         norm_bounded_b = 49.0;
     } else {
         norm_bounded_b = norm_square_b;
@@ -852,7 +852,7 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
 
     /* norm_bounded_a: the same: less is no element [1] */
     double norm_bounded_a;
-    if (norm_square_a < 49.0) {
+    if (norm_square_a <= 49.0) {
         norm_bounded_a = 49.0;
     } else {
         norm_bounded_a = norm_square_a;
@@ -877,7 +877,7 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
 
     /* w_a: cos of half the error angle [1] */
     double w_a;
-    if (cosine_a > 1.0) {
+    if (cosine_a >= 1.0) {
         w_a = 1.0;
     } else {
         w_a = cosine_a;
@@ -982,7 +982,7 @@ void two_bodies_f64_reaching(const two_bodies_f64_params *params, const two_bodi
 
     /* norm_bounded_b: the same: less is no element [1] */
     double norm_bounded_b;
-    if (norm_square_b < 49.0) {
+    if (norm_square_b <= 49.0) {
         norm_bounded_b = 49.0;
     } else {
         norm_bounded_b = norm_square_b;

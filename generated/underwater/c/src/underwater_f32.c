@@ -246,7 +246,7 @@ static float underwater_f32_law(const underwater_f32_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;
@@ -271,7 +271,7 @@ static float underwater_f32_law(const underwater_f32_params *params,
 
     /* w: cos of half the error angle [1] */
     float w;
-    if (cosine > 1.0F) {
+    if (cosine >= 1.0F) {
         w = 1.0F;
     } else {
         w = cosine;
@@ -700,7 +700,7 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
 
     /* norm_bounded: the same: less is no element [1] */
     float norm_bounded;
-    if (norm_square < 49.0F) {
+    if (norm_square <= 49.0F) {
         norm_bounded = 49.0F;
     } else {
         norm_bounded = norm_square;
@@ -725,7 +725,7 @@ void underwater_f32_reaching(const underwater_f32_params *params, const underwat
 
     /* w: cos of half the error angle [1] */
     float w;
-    if (cosine > 1.0F) {
+    if (cosine >= 1.0F) {
         w = 1.0F;
     } else {
         w = cosine;

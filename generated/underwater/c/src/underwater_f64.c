@@ -282,7 +282,7 @@ static double underwater_f64_law(const underwater_f64_params *params,
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;
@@ -307,7 +307,7 @@ static double underwater_f64_law(const underwater_f64_params *params,
 
     /* w: cos of half the error angle [1] */
     double w;
-    if (cosine > 1.0) {
+    if (cosine >= 1.0) {
         w = 1.0;
     } else {
         w = cosine;
@@ -736,7 +736,7 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
 
     /* norm_bounded: the same: less is no element [1] */
     double norm_bounded;
-    if (norm_square < 49.0) {
+    if (norm_square <= 49.0) {
         norm_bounded = 49.0;
     } else {
         norm_bounded = norm_square;
@@ -761,7 +761,7 @@ void underwater_f64_reaching(const underwater_f64_params *params, const underwat
 
     /* w: cos of half the error angle [1] */
     double w;
-    if (cosine > 1.0) {
+    if (cosine >= 1.0) {
         w = 1.0;
     } else {
         w = cosine;
