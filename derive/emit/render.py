@@ -203,14 +203,20 @@ def manifest(version: str, values: Mapping[str, Any], costs: Mapping[str, Any],
 
 
 def trace(printed: Mapping[str, Any], texts: Mapping[str, str]) -> str:
-    """trace.csv: paper equation, routine, step, file, first and last line of its code."""
+    """trace.csv: paper equation, routine, step, file, first and last line of its code.
+
+    In the order in which the steps are computed; of a step that stands twice, where it is first.
+    """
     rows = ["equation,routine,step,file,first_line,last_line"]
     equations = _equations(printed)
     for path, text in sorted(texts.items()):
-        rows += [
-            f"{equations.get((routine, step), '')},{routine},{step},{path},{first},{last}"
-            for routine, step, first, last in _located(text)
-        ]
+        found: dict[tuple[str, str], tuple[int, int]] = {}
+        for routine, step, first, last in _located(text):
+            found.setdefault((routine, step), (first, last))
+        known = [name for name in equations if name in found]
+        for name in (*known, *(name for name in found if name not in equations)):
+            cells = (equations.get(name, ""), *name, path, *map(str, found[name]))
+            rows.append(",".join(cells))
     return "\n".join(rows) + "\n"
 
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from derive.vehicle.file import Vehicle
 from derive.vehicle.group import OwnGroup, group_of
+from derive.vehicle.limits import Limits
 from tests.emit.subjects import FILES, LAWFUL, OPTED, STEERED
 
 OPTIONS = ("external", "momentum")
@@ -27,7 +28,9 @@ STRETCH = OwnGroup("Aff1", (_matrix(2, (0, 0)), _matrix(2, (0, 1))), ("1/s", "m/
 
 def made(name: str, group: str, own: OwnGroup | None, law: str) -> Vehicle:
     """With momentum and a known force, and an inertia without a zero."""
-    bare = replace(FILES[0], name=name, group=group, own=own, law=law, options=OPTIONS)
+    bare = replace(
+        FILES[0], name=name, group=group, own=own, law=law, options=OPTIONS, limits=Limits()
+    )
     n = group_of(bare).dim
     inertia = tuple(
         tuple(Fraction(9 + i) if i == j else Fraction(1 + i + j, 10) for j in range(n))
