@@ -62,12 +62,6 @@ DEVIATIONS = (
         "The first finding decides, and is returned where it is found: nothing that follows can "
         "depend on what was found bad.",
     ),
-    Deviation(
-        "15.7",
-        "the function that inspects numbers",
-        r"\}",
-        "A number that is finite and in range leaves the finding as it is.",
-    ),
 )
 """Every rule that the emitted C departs from, in the order of the rules."""
 

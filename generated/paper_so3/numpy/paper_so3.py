@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-MAX_INPUT = 1.0e6  # largest magnitude of a number in state or reference
+MAX_INPUT = 1.0e6  # largest velocity, rate of one, and number the group does not bound
 MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
 MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
@@ -22,7 +22,7 @@ MAX_RATE = 1.0e4  # largest gain in 1/s
 
 OK = 0  # the command is good
 SATURATED = 1  # a force limit was reached
-NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps
+NEAR_CUT_LOCUS = 2  # the error is close to where the law jumps; a limit may be reached too
 NOT_ON_GROUP = 16  # the error is off the group by more than max_drift
 OUT_OF_RANGE = 17  # beyond MAX_INPUT, or too near a pole of the law
 NONFINITE_INPUT = 18  # an input, or what it leads to, is not finite

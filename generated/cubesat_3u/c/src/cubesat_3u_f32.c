@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -64,8 +68,8 @@ static void cubesat_3u_f32_nothing(cubesat_3u_f32_command *command)
     command->nu_u_dot[2] = 0.0F;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
         const cubesat_3u_f32_state *state, const cubesat_3u_f32_reference *reference,
         cubesat_3u_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
@@ -522,6 +526,8 @@ static cubesat_3u_f32_status cubesat_3u_f32_inspect(const float *numbers, const 
             worst = CUBESAT_3U_F32_NONFINITE_INPUT;
         } else if (fabsf(numbers[i]) > limit) {
             worst = cubesat_3u_f32_worse(worst, CUBESAT_3U_F32_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -609,6 +615,9 @@ cubesat_3u_f32_status cubesat_3u_f32_control(const cubesat_3u_f32_params *params
     float clearance;
 #ifdef CUBESAT_3U_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            cubesat_3u_f32_nothing(command);
+        }
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
 #endif

@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -76,8 +80,8 @@ static void cubesat_3u_f64_nothing(cubesat_3u_f64_command *command)
     command->nu_u_dot[2] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
         const cubesat_3u_f64_state *state, const cubesat_3u_f64_reference *reference,
         cubesat_3u_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -534,6 +538,8 @@ static cubesat_3u_f64_status cubesat_3u_f64_inspect(const double *numbers, const
             worst = CUBESAT_3U_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = cubesat_3u_f64_worse(worst, CUBESAT_3U_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -621,6 +627,9 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
     double clearance;
 #ifdef CUBESAT_3U_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            cubesat_3u_f64_nothing(command);
+        }
         return CUBESAT_3U_F64_BAD_PARAMS;
     }
 #endif

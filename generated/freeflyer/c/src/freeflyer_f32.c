@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -117,8 +121,8 @@ static void freeflyer_f32_nothing(freeflyer_f32_command *command)
     command->nu_u_dot[5] = 0.0F;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static float freeflyer_f32_law(const freeflyer_f32_params *params, const freeflyer_f32_state *state,
         const freeflyer_f32_reference *reference, freeflyer_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3, const float g_e_4,
@@ -1022,6 +1026,8 @@ static freeflyer_f32_status freeflyer_f32_inspect(const float *numbers, const in
             worst = FREEFLYER_F32_NONFINITE_INPUT;
         } else if (fabsf(numbers[i]) > limit) {
             worst = freeflyer_f32_worse(worst, FREEFLYER_F32_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -1101,6 +1107,9 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
     float clearance;
 #ifdef FREEFLYER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            freeflyer_f32_nothing(command);
+        }
         return FREEFLYER_F32_BAD_PARAMS;
     }
 #endif

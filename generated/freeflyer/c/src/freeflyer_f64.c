@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -153,8 +157,8 @@ static void freeflyer_f64_nothing(freeflyer_f64_command *command)
     command->nu_u_dot[5] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double freeflyer_f64_law(const freeflyer_f64_params *params,
         const freeflyer_f64_state *state, const freeflyer_f64_reference *reference,
         freeflyer_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -1059,6 +1063,8 @@ static freeflyer_f64_status freeflyer_f64_inspect(const double *numbers, const i
             worst = FREEFLYER_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = freeflyer_f64_worse(worst, FREEFLYER_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -1138,6 +1144,9 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
     double clearance;
 #ifdef FREEFLYER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            freeflyer_f64_nothing(command);
+        }
         return FREEFLYER_F64_BAD_PARAMS;
     }
 #endif

@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -82,8 +86,8 @@ static void hovercraft_f32_nothing(hovercraft_f32_command *command)
     command->nu_u_dot[2] = 0.0F;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static float hovercraft_f32_law(const hovercraft_f32_params *params,
         const hovercraft_f32_state *state, const hovercraft_f32_reference *reference,
         hovercraft_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
@@ -523,6 +527,8 @@ static hovercraft_f32_status hovercraft_f32_inspect(const float *numbers, const 
             worst = HOVERCRAFT_F32_NONFINITE_INPUT;
         } else if (fabsf(numbers[i]) > limit) {
             worst = hovercraft_f32_worse(worst, HOVERCRAFT_F32_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -567,6 +573,9 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
     float clearance;
 #ifdef HOVERCRAFT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            hovercraft_f32_nothing(command);
+        }
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
 #endif

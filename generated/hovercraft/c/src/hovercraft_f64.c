@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -106,8 +110,8 @@ static void hovercraft_f64_nothing(hovercraft_f64_command *command)
     command->nu_u_dot[2] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double hovercraft_f64_law(const hovercraft_f64_params *params,
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
         hovercraft_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -547,6 +551,8 @@ static hovercraft_f64_status hovercraft_f64_inspect(const double *numbers, const
             worst = HOVERCRAFT_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = hovercraft_f64_worse(worst, HOVERCRAFT_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -591,6 +597,9 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
     double clearance;
 #ifdef HOVERCRAFT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            hovercraft_f64_nothing(command);
+        }
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
 #endif

@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -76,8 +80,8 @@ static void microsat_f64_nothing(microsat_f64_command *command)
     command->nu_u_dot[2] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double microsat_f64_law(const microsat_f64_params *params, const microsat_f64_state *state,
         const microsat_f64_reference *reference, microsat_f64_command *command, const double g_e_0,
         const double g_e_1, const double g_e_2, const double g_e_3)
@@ -530,6 +534,8 @@ static microsat_f64_status microsat_f64_inspect(const double *numbers, const int
             worst = MICROSAT_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = microsat_f64_worse(worst, MICROSAT_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -632,6 +638,9 @@ microsat_f64_status microsat_f64_control(const microsat_f64_params *params,
     double sign;
 #ifdef MICROSAT_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || side == NULL || command == NULL) {
+        if (command != NULL) {
+            microsat_f64_nothing(command);
+        }
         return MICROSAT_F64_BAD_PARAMS;
     }
 #endif

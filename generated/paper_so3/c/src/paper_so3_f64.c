@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -75,8 +79,8 @@ static void paper_so3_f64_nothing(paper_so3_f64_command *command)
     command->nu_u_dot[2] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double paper_so3_f64_law(const paper_so3_f64_params *params,
         const paper_so3_f64_state *state, const paper_so3_f64_reference *reference,
         paper_so3_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -586,6 +590,8 @@ static paper_so3_f64_status paper_so3_f64_inspect(const double *numbers, const i
             worst = PAPER_SO3_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = paper_so3_f64_worse(worst, PAPER_SO3_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -630,6 +636,9 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
     double clearance;
 #ifdef PAPER_SO3_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            paper_so3_f64_nothing(command);
+        }
         return PAPER_SO3_F64_BAD_PARAMS;
     }
 #endif

@@ -14,7 +14,9 @@
  *   before it is judged: let no one else read it before control has returned.
  * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
  *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
- *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity.
+ *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity. It
+ *   cannot see -fno-honor-nans of clang, which the package's own test finds: run that with your
+ *   flags. Floating-point traps are masked: bad inputs raise flags before they are refused.
  * - Needs: sqrt of libm, and nothing of libc. No heap,
  *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
  * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
@@ -27,7 +29,7 @@
 extern "C" {
 #endif
 
-/** largest magnitude of a number in state or reference */
+/** largest velocity, rate of one, and number the group does not bound */
 #define PAPER_SO3_LSF_F64_MAX_INPUT 1.0e6
 #define PAPER_SO3_LSF_F64_MAX_ENTRY 1.01 /**< of an entry of the error that the group keeps at 1 */
 #define PAPER_SO3_LSF_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
@@ -39,7 +41,8 @@ extern "C" {
 typedef enum {
     PAPER_SO3_LSF_F64_OK = 0, /**< the command is good */
     PAPER_SO3_LSF_F64_SATURATED = 1, /**< a force limit was reached */
-    PAPER_SO3_LSF_F64_NEAR_CUT_LOCUS = 2, /**< the error is close to where the law jumps */
+    /** the error is close to where the law jumps; a limit may be reached too */
+    PAPER_SO3_LSF_F64_NEAR_CUT_LOCUS = 2,
     PAPER_SO3_LSF_F64_NOT_ON_GROUP = 16, /**< the error is off the group by more than max_drift */
     PAPER_SO3_LSF_F64_OUT_OF_RANGE = 17, /**< beyond MAX_INPUT, or too near a pole of the law */
     PAPER_SO3_LSF_F64_NONFINITE_INPUT = 18, /**< an input, or what it leads to, is not finite */

@@ -19,6 +19,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -44,8 +48,8 @@ static void paper_so3_lsf_f64_nothing(paper_so3_lsf_f64_command *command)
     command->nu_u[2] = 0.0;
 }
 
-/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected, past the error. Gives the distance
-        from the cut locus. */
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected, past the error. Gives its clearance, 0
+        where the law jumps. */
 static double paper_so3_lsf_f64_law(const paper_so3_lsf_f64_params *params,
         const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
         paper_so3_lsf_f64_command *command, const double g_e_1, const double g_e_2,
@@ -260,6 +264,8 @@ static paper_so3_lsf_f64_status paper_so3_lsf_f64_inspect(const double *numbers,
             worst = PAPER_SO3_LSF_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = paper_so3_lsf_f64_worse(worst, PAPER_SO3_LSF_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -302,6 +308,9 @@ paper_so3_lsf_f64_status paper_so3_lsf_f64_control(const paper_so3_lsf_f64_param
 {
 #ifdef PAPER_SO3_LSF_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            paper_so3_lsf_f64_nothing(command);
+        }
         return PAPER_SO3_LSF_F64_BAD_PARAMS;
     }
 #endif

@@ -19,6 +19,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -44,8 +48,8 @@ static void paper_so3_lsf_printed_f32_nothing(paper_so3_lsf_printed_f32_command 
     command->nu_u[2] = 0.0F;
 }
 
-/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2), past the error. Gives the distance from the cut
-        locus. */
+/* LSF force that tracks (g_r, nu_r); eq. (Ctrls2), past the error. Gives its clearance, 0 where the
+        law jumps. */
 static float paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params *params,
         const paper_so3_lsf_printed_f32_state *state,
         const paper_so3_lsf_printed_f32_reference *reference,
@@ -265,6 +269,8 @@ static paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_inspect(const 
             worst = PAPER_SO3_LSF_PRINTED_F32_NONFINITE_INPUT;
         } else if (fabsf(numbers[i]) > limit) {
             worst = paper_so3_lsf_printed_f32_worse(worst, PAPER_SO3_LSF_PRINTED_F32_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -314,6 +320,9 @@ paper_so3_lsf_printed_f32_status paper_so3_lsf_printed_f32_control(const
 {
 #ifdef PAPER_SO3_LSF_PRINTED_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            paper_so3_lsf_printed_f32_nothing(command);
+        }
         return PAPER_SO3_LSF_PRINTED_F32_BAD_PARAMS;
     }
 #endif

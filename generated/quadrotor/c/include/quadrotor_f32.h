@@ -13,7 +13,9 @@
  *   before it is judged: let no one else read it before control has returned.
  * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
  *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
- *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity.
+ *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity. It
+ *   cannot see -fno-honor-nans of clang, which the package's own test finds: run that with your
+ *   flags. Floating-point traps are masked: bad inputs raise flags before they are refused.
  * - Needs: sqrtf of libm, and nothing of libc. No heap,
  *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
  * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
@@ -26,7 +28,8 @@
 extern "C" {
 #endif
 
-#define QUADROTOR_F32_MAX_INPUT 1.0e6F /**< largest magnitude of a number in state or reference */
+/** largest velocity, rate of one, and number the group does not bound */
+#define QUADROTOR_F32_MAX_INPUT 1.0e6F
 #define QUADROTOR_F32_MAX_ENTRY 1.01F /**< of an entry of the error that the group keeps at 1 */
 #define QUADROTOR_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
 #define QUADROTOR_F32_NEAR_CUT 0.001F /**< clearance below which NEAR_CUT_LOCUS is flagged */
@@ -39,7 +42,8 @@ extern "C" {
 typedef enum {
     QUADROTOR_F32_OK = 0, /**< the command is good */
     QUADROTOR_F32_SATURATED = 1, /**< a force limit was reached */
-    QUADROTOR_F32_NEAR_CUT_LOCUS = 2, /**< the error is close to where the law jumps */
+    /** the error is close to where the law jumps; a limit may be reached too */
+    QUADROTOR_F32_NEAR_CUT_LOCUS = 2,
     QUADROTOR_F32_NOT_ON_GROUP = 16, /**< the error is off the group by more than max_drift */
     QUADROTOR_F32_OUT_OF_RANGE = 17, /**< beyond MAX_INPUT, or too near a pole of the law */
     QUADROTOR_F32_NONFINITE_INPUT = 18, /**< an input, or what it leads to, is not finite */

@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -64,8 +68,8 @@ static void quadrotor_f32_nothing(quadrotor_f32_command *command)
     command->nu_u_dot[2] = 0.0F;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
         const quadrotor_f32_reference *reference, quadrotor_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3)
@@ -483,6 +487,8 @@ static quadrotor_f32_status quadrotor_f32_inspect(const float *numbers, const in
             worst = QUADROTOR_F32_NONFINITE_INPUT;
         } else if (fabsf(numbers[i]) > limit) {
             worst = quadrotor_f32_worse(worst, QUADROTOR_F32_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -572,6 +578,9 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
     float clearance;
 #ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            quadrotor_f32_nothing(command);
+        }
         return QUADROTOR_F32_BAD_PARAMS;
     }
 #endif

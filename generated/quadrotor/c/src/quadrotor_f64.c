@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -76,8 +80,8 @@ static void quadrotor_f64_nothing(quadrotor_f64_command *command)
     command->nu_u_dot[2] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double quadrotor_f64_law(const quadrotor_f64_params *params,
         const quadrotor_f64_state *state, const quadrotor_f64_reference *reference,
         quadrotor_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -496,6 +500,8 @@ static quadrotor_f64_status quadrotor_f64_inspect(const double *numbers, const i
             worst = QUADROTOR_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = quadrotor_f64_worse(worst, QUADROTOR_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -585,6 +591,9 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
     double clearance;
 #ifdef QUADROTOR_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            quadrotor_f64_nothing(command);
+        }
         return QUADROTOR_F64_BAD_PARAMS;
     }
 #endif

@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -46,8 +50,8 @@ static void sl2_f64_nothing(sl2_f64_command *command)
     command->nu_u_dot[2] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double sl2_f64_law(const sl2_f64_params *params, const sl2_f64_state *state,
         const sl2_f64_reference *reference, sl2_f64_command *command, const double g_e_0,
         const double g_e_1, const double g_e_2, const double g_e_3)
@@ -349,6 +353,8 @@ static sl2_f64_status sl2_f64_inspect(const double *numbers, const int count,
             worst = SL2_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = sl2_f64_worse(worst, SL2_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -389,6 +395,9 @@ sl2_f64_status sl2_f64_control(const sl2_f64_params *params, const sl2_f64_state
 {
 #ifdef SL2_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            sl2_f64_nothing(command);
+        }
         return SL2_F64_BAD_PARAMS;
     }
 #endif

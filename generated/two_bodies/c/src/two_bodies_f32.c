@@ -19,6 +19,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -131,8 +135,8 @@ static void two_bodies_f32_nothing(two_bodies_f32_command *command)
     command->nu_u_dot[8] = 0.0F;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static float two_bodies_f32_law(const two_bodies_f32_params *params,
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
         two_bodies_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,
@@ -1266,6 +1270,8 @@ static two_bodies_f32_status two_bodies_f32_inspect(const float *numbers, const 
             worst = TWO_BODIES_F32_NONFINITE_INPUT;
         } else if (fabsf(numbers[i]) > limit) {
             worst = two_bodies_f32_worse(worst, TWO_BODIES_F32_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -1312,6 +1318,9 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
     float clearance;
 #ifdef TWO_BODIES_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            two_bodies_f32_nothing(command);
+        }
         return TWO_BODIES_F32_BAD_PARAMS;
     }
 #endif

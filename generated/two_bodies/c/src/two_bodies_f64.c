@@ -19,6 +19,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -166,8 +170,8 @@ static void two_bodies_f64_nothing(two_bodies_f64_command *command)
     command->nu_u_dot[8] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double two_bodies_f64_law(const two_bodies_f64_params *params,
         const two_bodies_f64_state *state, const two_bodies_f64_reference *reference,
         two_bodies_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -1301,6 +1305,8 @@ static two_bodies_f64_status two_bodies_f64_inspect(const double *numbers, const
             worst = TWO_BODIES_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = two_bodies_f64_worse(worst, TWO_BODIES_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -1347,6 +1353,9 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
     double clearance;
 #ifdef TWO_BODIES_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            two_bodies_f64_nothing(command);
+        }
         return TWO_BODIES_F64_BAD_PARAMS;
     }
 #endif

@@ -18,6 +18,10 @@
 #error "leave out -funsafe-math-optimizations: every target must round alike"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error "numbers must be rounded to their own type: with x87, give -msse2 -mfpmath=sse"
+#endif
+
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off */
 #endif
@@ -152,8 +156,8 @@ static void underwater_f64_nothing(underwater_f64_command *command)
     command->nu_u_dot[5] = 0.0;
 }
 
-/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives the distance from
-        the cut locus. */
+/* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
+        where the law jumps. */
 static double underwater_f64_law(const underwater_f64_params *params,
         const underwater_f64_state *state, const underwater_f64_reference *reference,
         underwater_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
@@ -1110,6 +1114,8 @@ static underwater_f64_status underwater_f64_inspect(const double *numbers, const
             worst = UNDERWATER_F64_NONFINITE_INPUT;
         } else if (fabs(numbers[i]) > limit) {
             worst = underwater_f64_worse(worst, UNDERWATER_F64_OUT_OF_RANGE);
+        } else {
+            /* finite and in range: it leaves the finding as it is */
         }
     }
     return worst;
@@ -1157,6 +1163,9 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
     double clearance;
 #ifdef UNDERWATER_CHECK_POINTERS
     if (params == NULL || state == NULL || reference == NULL || command == NULL) {
+        if (command != NULL) {
+            underwater_f64_nothing(command);
+        }
         return UNDERWATER_F64_BAD_PARAMS;
     }
 #endif
