@@ -63,7 +63,11 @@ class Scalar:
         reach = self.max_own if is_own else self.max_reach
         reach = reach if has_reference else min(reach, self.max_input)
         return (
-            ("MAX_INPUT", self.max_input, "largest velocity, rate of one, and number the group does not bound"),
+            (
+                "MAX_INPUT",
+                self.max_input,
+                "largest velocity, rate of one, and number the group does not bound",
+            ),
             ("MAX_ENTRY", self.max_entry, "of an entry of the error that the group keeps at 1"),
             ("MAX_REACH", reach, "of any other entry of the error"),
             ("MOST_DRIFT", self.most_drift, "largest max_drift that may be asked for"),
