@@ -12,6 +12,7 @@ from derive.emit.literal import exact
 from derive.emit.program import Limit, bits, limited, pack, program, rounded, run
 
 TOY = {
+    "has_side": False,
     "kernels": [{"name": "k", "terms": [["-", "0.1F"], ["+", "0.3F"], ["-", "0.7F"]]}],
     "routines": [
         {

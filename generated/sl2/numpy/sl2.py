@@ -82,7 +82,7 @@ def control(
     ]
     max_drift = _real("max_drift", params.max_drift, ())
     with np.errstate(all="ignore"):
-        *command, clearance = _batched(_law, given)
+        command = _batched(_law, given)[:4]
         g_e = _batched(_error, [given[3], given[5]])[0]
         good = (np.abs(g_e) <= BOUNDS).all(-1)
         good = good & ((np.abs(given[3]) <= MAX_INPUT) | ~FREE).all(-1)
