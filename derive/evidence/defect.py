@@ -59,7 +59,7 @@ DEFECTS = (
            "g_e_0 ="),
     Defect("bad input not refused", "control",
            r"return \w+_refuse\([^;]*;(?!\s*\}\s*return)", "(void)0;"),
-    Defect("drift not looked at", "control", r"!\((\w+) <= params->max_drift\*params->max_drift\)",
+    Defect("drift not looked at", "control", r"!\((\w+) < params->max_drift\*params->max_drift\)",
            "0", "max_drift"),
     Defect("a refused command left as it is", "refuse", r"\w+_nothing\(command\);",
            "(void)command;"),

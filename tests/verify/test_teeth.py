@@ -143,7 +143,7 @@ EDITS = (
     ("reaching: entry of the rate", "nu_u_dot[0] = nu_u_dot_0;", "nu_u_dot[0] = nu_u_dot_1;", -1),
     ("control: sign of the force", "return paper_so3_f64_verdict(",
      "command->force[0] = -command->force[0]; return paper_so3_f64_verdict(", 0),
-    ("control: any drift will do", "<= params->max_drift*params->max_drift", "<= 1e9", 0),
+    ("control: any drift will do", "< params->max_drift*params->max_drift", "<= 1e9", 0),
     ("check_params: first pivot", "pivot[0] = inertia_0;", "pivot[0] = 1.0;", 0),
 )  # fmt: skip
 """What, the emitted C as it is, as it is broken, and which occurrence of it."""

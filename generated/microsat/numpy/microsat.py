@@ -101,7 +101,7 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
+        good = good & (_batched(_drift, [g_e])[0] < max_drift * max_drift)[..., 0]
         command[0], status = _saturated(command[0], force_limit)
         near = np.where((sign * g_e[..., :1])[..., 0] < HYSTERESIS, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)

@@ -91,7 +91,7 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
+        good = good & (_batched(_drift, [g_e])[0] < max_drift * max_drift)[..., 0]
         status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)

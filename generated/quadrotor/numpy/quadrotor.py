@@ -94,7 +94,7 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e])[0] <= max_drift * max_drift)[..., 0]
+        good = good & (_batched(_drift, [g_e])[0] < max_drift * max_drift)[..., 0]
         command[0], status = _saturated(command[0], force_limit)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         near = np.where(clearance[..., 0] < REFUSED_CUT, OUT_OF_RANGE, near)

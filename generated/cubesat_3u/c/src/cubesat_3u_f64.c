@@ -688,7 +688,7 @@ cubesat_3u_f64_status cubesat_3u_f64_control(const cubesat_3u_f64_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return cubesat_3u_f64_refuse(state, reference, CUBESAT_3U_F64_NOT_ON_GROUP, command);
     }
     clearance = cubesat_3u_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

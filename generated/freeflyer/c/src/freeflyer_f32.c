@@ -1200,7 +1200,7 @@ freeflyer_f32_status freeflyer_f32_control(const freeflyer_f32_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return freeflyer_f32_refuse(state, reference, FREEFLYER_F32_NOT_ON_GROUP, command);
     }
     clearance = freeflyer_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

@@ -1237,7 +1237,7 @@ freeflyer_f64_status freeflyer_f64_control(const freeflyer_f64_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return freeflyer_f64_refuse(state, reference, FREEFLYER_F64_NOT_ON_GROUP, command);
     }
     clearance = freeflyer_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

@@ -636,7 +636,7 @@ hovercraft_f32_status hovercraft_f32_control(const hovercraft_f32_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return hovercraft_f32_refuse(state, reference, HOVERCRAFT_F32_NOT_ON_GROUP, command);
     }
     clearance = hovercraft_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

@@ -660,7 +660,7 @@ hovercraft_f64_status hovercraft_f64_control(const hovercraft_f64_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return hovercraft_f64_refuse(state, reference, HOVERCRAFT_F64_NOT_ON_GROUP, command);
     }
     clearance = hovercraft_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

@@ -667,7 +667,7 @@ microsat_f32_status microsat_f32_control(const microsat_f32_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return microsat_f32_refuse(state, reference, MICROSAT_F32_NOT_ON_GROUP, command);
     }
     sign = microsat_f32_chosen(side->sign, g_e_0);

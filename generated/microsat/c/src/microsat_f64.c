@@ -679,7 +679,7 @@ microsat_f64_status microsat_f64_control(const microsat_f64_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return microsat_f64_refuse(state, reference, MICROSAT_F64_NOT_ON_GROUP, command);
     }
     sign = microsat_f64_chosen(side->sign, g_e_0);

@@ -616,7 +616,7 @@ paper_s3_f32_status paper_s3_f32_control(const paper_s3_f32_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return paper_s3_f32_refuse(state, reference, PAPER_S3_F32_NOT_ON_GROUP, command);
     }
     clearance = paper_s3_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);

@@ -694,7 +694,7 @@ paper_so3_f64_status paper_so3_f64_control(const paper_so3_f64_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return paper_so3_f64_refuse(state, reference, PAPER_SO3_F64_NOT_ON_GROUP, command);
     }
     clearance = paper_so3_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

@@ -369,7 +369,7 @@ paper_so3_lsf_f32_status paper_so3_lsf_f32_control(const paper_so3_lsf_f32_param
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return paper_so3_lsf_f32_refuse(state, reference, PAPER_SO3_LSF_F32_NOT_ON_GROUP, command);
     }
     (void)paper_so3_lsf_f32_law(params, state, reference, command, g_e_1, g_e_2, g_e_3, g_e_5,

@@ -383,7 +383,7 @@ paper_so3_lsf_printed_f64_status paper_so3_lsf_printed_f64_control(const
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return paper_so3_lsf_printed_f64_refuse(state, reference,
                 PAPER_SO3_LSF_PRINTED_F64_NOT_ON_GROUP, command);
     }

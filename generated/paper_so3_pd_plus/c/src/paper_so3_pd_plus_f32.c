@@ -462,7 +462,7 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_control(const paper_so3_pd_pl
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return paper_so3_pd_plus_f32_refuse(state, reference, PAPER_SO3_PD_PLUS_F32_NOT_ON_GROUP,
                 command);
     }

@@ -619,7 +619,7 @@ quadrotor_f32_status quadrotor_f32_control(const quadrotor_f32_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return quadrotor_f32_refuse(state, reference, QUADROTOR_F32_NOT_ON_GROUP, command);
     }
     clearance = quadrotor_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);

@@ -632,7 +632,7 @@ quadrotor_f64_status quadrotor_f64_control(const quadrotor_f64_params *params,
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return quadrotor_f64_refuse(state, reference, QUADROTOR_F64_NOT_ON_GROUP, command);
     }
     clearance = quadrotor_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);

@@ -446,7 +446,7 @@ sl2_f32_status sl2_f32_control(const sl2_f32_params *params, const sl2_f32_state
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return sl2_f32_refuse(state, reference, SL2_F32_NOT_ON_GROUP, command);
     }
     (void)sl2_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);

@@ -445,7 +445,7 @@ sl2_f64_status sl2_f64_control(const sl2_f64_params *params, const sl2_f64_state
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return sl2_f64_refuse(state, reference, SL2_F64_NOT_ON_GROUP, command);
     }
     (void)sl2_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3);

@@ -1452,7 +1452,7 @@ two_bodies_f32_status two_bodies_f32_control(const two_bodies_f32_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return two_bodies_f32_refuse(state, reference, TWO_BODIES_F32_NOT_ON_GROUP, command);
     }
     clearance = two_bodies_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

@@ -1482,7 +1482,7 @@ two_bodies_f64_status two_bodies_f64_control(const two_bodies_f64_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return two_bodies_f64_refuse(state, reference, TWO_BODIES_F64_NOT_ON_GROUP, command);
     }
     clearance = two_bodies_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

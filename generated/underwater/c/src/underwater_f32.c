@@ -1227,7 +1227,7 @@ underwater_f32_status underwater_f32_control(const underwater_f32_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return underwater_f32_refuse(state, reference, UNDERWATER_F32_NOT_ON_GROUP, command);
     }
     clearance = underwater_f32_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,

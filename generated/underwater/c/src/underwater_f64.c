@@ -1262,7 +1262,7 @@ underwater_f64_status underwater_f64_control(const underwater_f64_params *params
 
     /* -- end -- */
 
-    if (!(drift <= params->max_drift*params->max_drift)) {
+    if (!(drift < params->max_drift*params->max_drift)) {
         return underwater_f64_refuse(state, reference, UNDERWATER_F64_NOT_ON_GROUP, command);
     }
     clearance = underwater_f64_law(params, state, reference, command, g_e_0, g_e_1, g_e_2, g_e_3,
