@@ -166,7 +166,7 @@ def wanted_of(vehicle: Vehicle, name: str, value: float) -> tuple[int, ...]:
     if name == "max_drift":  # a distance of zero, or one that is beyond, is no element
         return (OFF,) if np.isnan(value) else (OFF, OK, SATURATED)
     if name == "force_limit":
-        return {np.inf: (OK,), 0.0: (SATURATED,)}.get(value, (OK,) if value > 0 else (NONFINITE,))
+        return (OK,) if value > 0 else (NONFINITE,)  # no actuator gives nothing, or less
     return (NONFINITE, *((OK, SATURATED) if np.isfinite(value) else ()))
 
 
