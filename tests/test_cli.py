@@ -127,7 +127,7 @@ def test_a_folder_with_foreign_files_is_left_alone(body: Path, home: Path) -> No
     (place / "generated" / "body" / "notes.txt").unlink()
     assert derive(place, "emit", body.name, home=home).stdout.startswith("wrote")
     (place / "generated" / "body" / "MANIFEST.toml").unlink()
-    assert "and 4 more" in refused(place, "emit", body.name, home=home)
+    assert "and 5 more" in refused(place, "emit", body.name, home=home)
 
 
 def test_a_missing_parent_of_out_is_made(body: Path, home: Path) -> None:

@@ -11,6 +11,7 @@ import pytest
 from derive.emit.deviation import DEVIATIONS, LONGEST, long_functions
 from derive.evidence import diagnostic, misra, symbol
 from derive.evidence.diagnostic import COMPILERS, compiled, tidied
+from derive.evidence.documentation import documented
 from derive.evidence.emitted import Emitted
 from derive.evidence.rule import rules
 from derive.evidence.tool import ToolFailed
@@ -50,7 +51,7 @@ def function(head: str, *lines: str) -> str:
     return "\n".join(["", f"{head};", head, "{", *(f"    {line}" for line in lines), "}", ""])
 
 
-@pytest.mark.parametrize("kind", [compiled, tidied])
+@pytest.mark.parametrize("kind", [compiled, tidied, documented])
 def test_all_that_is_emitted_is_clean(kind: Kind) -> None:
     assert {one.prefix: bad for one in EVERY if (bad := broken(kind, one))} == {}
 
@@ -113,6 +114,23 @@ def test_a_long_function_needs_a_row(copy: Emitted) -> None:
     assert (f"{P}_a", LONGEST + 1) in long_functions({"c/src/it.c": text})
     copy.source.write_text(text.replace("    x += 7;\n", ""), encoding="utf-8")
     assert broken(tidied, copy) == {}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("/**< control force [N m] */", "/* control force [N m] */"),
+        ("/** What was found.", "/* What was found."),
+        (" * @param[in] force applied", " * @param[in] power applied"),
+        (" * @return the largest", " * the largest"),
+        ("/** largest magnitude of a number", "/* largest magnitude of a number"),
+    ],
+)
+def test_doxygen_misses_what_is_not_described(copy: Emitted, old: str, new: str) -> None:
+    text = copy.header.read_text(encoding="utf-8")
+    assert text.count(old) == 1
+    copy.header.write_text(text.replace(old, new), encoding="utf-8")
+    assert list(broken(documented, copy)) == ["doxygen: warnings"]
 
 
 @pytest.mark.parametrize(
