@@ -2,9 +2,10 @@
 
 import re
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,7 +15,7 @@ from derive.evidence.diagnostic import COMPILERS, compiled, tidied
 from derive.evidence.documentation import documented
 from derive.evidence.emitted import Emitted
 from derive.evidence.rule import rules
-from derive.evidence.tool import ToolFailed
+from derive.evidence.tool import ToolFailed, run
 from derive.verify.check import Check
 from tests.evidence.tools import had, hide
 
@@ -200,6 +201,19 @@ def test_a_row_that_nothing_needs_is_found(copy: Emitted) -> None:
 def test_the_object_file_tells(copy: Emitted, name: str, text: str) -> None:
     spoil(copy, text)
     assert list(broken(symbol.symbols, copy)) == [name]
+
+
+def test_cppcheck_writes_nothing_beside_the_source(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It keeps a dump beside what it reads: so it must not read the package itself."""
+    asked: list[str] = []
+
+    def seen(command: Sequence[str], *others: Any, **named: Any) -> str:
+        asked.extend(command)
+        return run(command, *others, **named)
+
+    monkeypatch.setattr(misra, "run", seen)
+    assert had(lambda: misra.findings(SMALL))
+    assert [word for word in asked if str(SMALL.folder) in word] == []
 
 
 def test_a_missing_tool_spares_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
