@@ -6,9 +6,11 @@ The texts of MISRA's rules are their owner's and are neither used nor quoted.
 from __future__ import annotations
 
 import re
+import shutil
 import sys
+import tempfile
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from derive.emit.deviation import DEVIATIONS, Deviation
@@ -59,10 +61,13 @@ def misra(one: Emitted) -> Iterator[Check]:
 
 
 def findings(one: Emitted) -> list[Finding]:
-    """All that cppcheck says of a source and its header."""
-    places = (f"-I{one.include}", f"--addon-python={sys.executable}")
-    said = run([CPPCHECK.path, *OPTIONS, *places, str(one.source)], SECONDS)
-    return [_finding(*line.split("\t")) for line in said.splitlines()]
+    """All that cppcheck says of a source and its header: of a copy, beside which it may write."""
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = replace(one, folder=Path(scratch))
+        shutil.copytree(one.folder / "c", copy.folder / "c")
+        places = (f"-I{copy.include}", f"--addon-python={sys.executable}")
+        said = run([CPPCHECK.path, *OPTIONS, *places, str(copy.source)], SECONDS)
+        return [_finding(*line.split("\t")) for line in said.splitlines()]
 
 
 def _finding(name: str, file: str, line: str) -> Finding:

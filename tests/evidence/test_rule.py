@@ -2,18 +2,20 @@
 
 import re
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from derive.emit.deviation import DEVIATIONS, LONGEST, long_functions
 from derive.evidence import diagnostic, misra, symbol
 from derive.evidence.diagnostic import COMPILERS, compiled, tidied
+from derive.evidence.documentation import documented
 from derive.evidence.emitted import Emitted
 from derive.evidence.rule import rules
-from derive.evidence.tool import ToolFailed
+from derive.evidence.tool import ToolFailed, run
 from derive.verify.check import Check
 from tests.evidence.tools import had, hide
 
@@ -50,7 +52,7 @@ def function(head: str, *lines: str) -> str:
     return "\n".join(["", f"{head};", head, "{", *(f"    {line}" for line in lines), "}", ""])
 
 
-@pytest.mark.parametrize("kind", [compiled, tidied])
+@pytest.mark.parametrize("kind", [compiled, tidied, documented])
 def test_all_that_is_emitted_is_clean(kind: Kind) -> None:
     assert {one.prefix: bad for one in EVERY if (bad := broken(kind, one))} == {}
 
@@ -113,6 +115,23 @@ def test_a_long_function_needs_a_row(copy: Emitted) -> None:
     assert (f"{P}_a", LONGEST + 1) in long_functions({"c/src/it.c": text})
     copy.source.write_text(text.replace("    x += 7;\n", ""), encoding="utf-8")
     assert broken(tidied, copy) == {}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("/**< control force [N m] */", "/* control force [N m] */"),
+        ("/** What was found.", "/* What was found."),
+        (" * @param[in] force applied", " * @param[in] power applied"),
+        (" * @return the largest", " * the largest"),
+        ("/** largest magnitude of a number", "/* largest magnitude of a number"),
+    ],
+)
+def test_doxygen_misses_what_is_not_described(copy: Emitted, old: str, new: str) -> None:
+    text = copy.header.read_text(encoding="utf-8")
+    assert text.count(old) == 1
+    copy.header.write_text(text.replace(old, new), encoding="utf-8")
+    assert list(broken(documented, copy)) == ["doxygen: warnings"]
 
 
 @pytest.mark.parametrize(
@@ -182,6 +201,19 @@ def test_a_row_that_nothing_needs_is_found(copy: Emitted) -> None:
 def test_the_object_file_tells(copy: Emitted, name: str, text: str) -> None:
     spoil(copy, text)
     assert list(broken(symbol.symbols, copy)) == [name]
+
+
+def test_cppcheck_writes_nothing_beside_the_source(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It keeps a dump beside what it reads: so it must not read the package itself."""
+    asked: list[str] = []
+
+    def seen(command: Sequence[str], *others: Any, **named: Any) -> str:
+        asked.extend(command)
+        return run(command, *others, **named)
+
+    monkeypatch.setattr(misra, "run", seen)
+    assert had(lambda: misra.findings(SMALL))
+    assert [word for word in asked if str(SMALL.folder) in word] == []
 
 
 def test_a_missing_tool_spares_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
