@@ -171,7 +171,7 @@ def test_scalars_and_targets_choose_files(kept: Path) -> None:
     shared = {"trace.csv", "MANIFEST.toml"}
     assert kinds == [
         shared | {"numpy"},
-        shared | {"c", "example", "test", "CMakeLists.txt", "paper_so3.mk"},
+        shared | {"c", "example", "test", "CMakeLists.txt", "DEVIATIONS.md", "paper_so3.mk"},
     ]
     assert all("f64" not in path for path in single)
     code = [path for path in {**numpy, **single} if path.startswith(("c/", "numpy/"))]
