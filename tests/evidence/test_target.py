@@ -82,8 +82,11 @@ def test_a_painted_stack_is_within_the_static_bound_and_close_to_it(found: Found
             painted = found[f"painted stack, {routine}", subject]
             assert painted.is_ok
             touched = int(painted.worst.split()[0])
-            assert 0.9 * static <= touched <= static
+            assert 0.9 * static - LEFT <= touched <= static
 
+
+LEFT = 24
+"""Bytes of a frame that is left before a tail call, and that the static sum still counts."""
 
 MISSED = "M4F SO3 tracking"
 """The one promise that the emitted code does not keep yet."""
