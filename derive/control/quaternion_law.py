@@ -19,7 +19,7 @@ from sympy import Expr, Matrix, Piecewise
 from derive.control.law import KinematicLaw, Written
 from derive.lie.cover import Let, Scaled
 from derive.lie.group import Group
-from derive.lie.kernel import SMALL, H, K
+from derive.lie.kernel import SMALL, Arc, H, K
 
 Factor = Callable[[Let, Scaled], Expr]
 Clearance = Callable[[Let, Scaled], Expr]
@@ -41,9 +41,11 @@ class Quaternion:
         if group.cover is None:
             raise ValueError(f"{group.name} has no unit quaternion")
         error = group.cover(let, g_e)
-        w, raw, scale = error.w, error.raw, error.scale
         clearance = self.clearance(let, error) if self.clearance else sympy.S.One
         share, p = _parted(self.factor(let, error))
+        # Where p loses nothing in between, v costs three products more and rounds the better.
+        raw, scale = (error.raw, error.scale) if p.has(Arc) else (error.v, sympy.S.One)
+        w = error.w
         reach = let("reach", p * scale, "1", "p times the scale of the vector part")
         stretch = let("stretch", 2 * share * reach, "1", "nu_u over the vector part")
         drop = let("drop", -sympy.diff(p, w) * scale**2, "1", "-dp/dw times that scale's square")

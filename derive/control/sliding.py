@@ -52,7 +52,7 @@ def tracking(
     s = d.let("s", nu_e + drive, unit, "sliding variable", "eq. (SurfaceErr)")
     asked = eta_dot - rate_gain * nu_u_dot - reach_gain * s
     wanted = d.let("wanted", asked, group.acceleration_unit, "acceleration asked for")
-    turning = d.let("turning", s - nu, unit, "lambda nu_u - eta, as s - nu")
+    turning = d.let("turning", drive - eta, unit, "lambda nu_u - eta")
     return _finish(d, system, extras, nu, turning, wanted, s, nu_u, nu_u_dot, clearance)
 
 

@@ -158,7 +158,7 @@ def _bounds(
         "MOST_DRIFT": has_drift,
         "NEAR_CUT": has_cut and not facts["has_side"],
         "HYSTERESIS": facts["has_side"],
-        "REFUSED_CUT": facts["is_pole"],
+        "REFUSED_CUT": facts["is_pole"] and has_cut,
         "MAX_PARAM": True,
         "MIN_GAIN": True,
         "MAX_RATE": any(one["unit"] == "1/s" for one in main["inputs"]),

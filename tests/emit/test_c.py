@@ -213,4 +213,5 @@ def test_a_long_vehicle_name_is_no_trouble(folder: Path) -> None:
         compiled(vehicle, scalar, name, folder, *strict(name))
     for path, text in subjects.texts(vehicle).items():
         if path.endswith((".c", ".h", ".py")):
-            assert max(map(len, text.splitlines())) <= 100, path
+            wide = [line for line in text.splitlines() if len(line) > 100]
+            assert not [line for line in wide if " " in line.strip()], path  # could be broken

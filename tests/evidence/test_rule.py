@@ -124,7 +124,7 @@ def test_a_long_function_needs_a_row(copy: Emitted) -> None:
         ("/** What was found.", "/* What was found."),
         (" * @param[in] force applied", " * @param[in] power applied"),
         (" * @return the largest", " * the largest"),
-        ("/** largest magnitude of a number", "/* largest magnitude of a number"),
+        ("/** largest velocity", "/* largest velocity"),
     ],
 )
 def test_doxygen_misses_what_is_not_described(copy: Emitted, old: str, new: str) -> None:

@@ -42,7 +42,7 @@ def test_no_mutant_is_missed_on_other_groups(
     monkeypatch.setattr("derive.verify.mutation.MOST", 500)
     for routine, outcome in outcomes(plant(vehicle(group, law, options=options))):
         assert outcome is None or outcome.missed == (), routine
-        assert (outcome is None) == (group == "SL2" and routine == "residual")
+        assert (outcome is None) == (group == "SL2" and routine == "drift")
 
 
 def test_where_there_are_many_a_fixed_seed_chooses(monkeypatch: pytest.MonkeyPatch) -> None:

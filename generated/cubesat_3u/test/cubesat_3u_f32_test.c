@@ -29,8 +29,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {-0.00085342484F, 0.0006761898F, -0.0009164168F},
          {2.1347042e-5F, 9.606169e-5F, -1.7789202e-5F},
          {-0.0008545302F, 0.00067140409F, -0.00091547914F}},
-        CUBESAT_3U_F32_OK, 0x9A97E786U,
-        {5.73e-9F, 5.18e-7F, 1.0e-5F, 1.83e-8F}, {0x9A97E786U, 0x3C843AA5U, 0x217818BEU}
+        CUBESAT_3U_F32_OK, 0x3C843AA5U,
+        {5.73e-9F, 5.18e-7F, 1.0e-5F, 1.83e-8F}, {0x3C843AA5U, 0x3C843AA5U, 0x8A6CCD73U}
     },
     { /* fast, error 0.5 rad, moving reference */
         {{0.88601226F, 0.01040639F, -0.46354496F, -0.37929952F, 0.5912665F, -0.71171325F,
@@ -90,8 +90,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {-1.0625F, -1.6875F, -0.25F},
          {0.0F, 0.0F, 0.0F},
          {-1.0625F, -1.6875F, -0.25F}},
-        CUBESAT_3U_F32_SATURATED, 0x7115864FU,
-        {0.000137F, 5.05e-5F, 1.0e-5F, 5.0e-5F}, {0xF26838ACU, 0xB6726505U, 0xF4EA54C2U}
+        CUBESAT_3U_F32_SATURATED, 0xA6BF23CFU,
+        {0.000137F, 5.05e-5F, 1.0e-5F, 5.0e-5F}, {0x3D787F0DU, 0xB6726505U, 0xF4EA54C2U}
     },
     { /* error 1e-12 rad, moving reference */
         {{0.927551F, 0.09811683F, 0.36058596F, 0.13971576F, 0.803888F, -0.578138F, -0.3465958F,
@@ -106,8 +106,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {-2.0F, 0.0625F, 2.5F},
          {0.0F, 0.0F, 0.0F},
          {-2.0F, 0.0625F, 2.5F}},
-        CUBESAT_3U_F32_SATURATED, 0xDAF9DA6DU,
-        {3.0e-5F, 5.3e-5F, 1.0e-5F, 5.25e-5F}, {0x698D353AU, 0x5268FC50U, 0x21559EADU}
+        CUBESAT_3U_F32_SATURATED, 0x145B120EU,
+        {3.0e-5F, 5.3e-5F, 1.0e-5F, 5.25e-5F}, {0xEE07066DU, 0x5268FC50U, 0x21559EADU}
     },
     { /* error 1e-8 rad, moving reference */
         {{0.8676124F, 0.03763757F, -0.49581456F, 0.2254403F, 0.8589846F, 0.45969784F, 0.443199F,
@@ -122,8 +122,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {-2.5F, 1.25F, 0.9375F},
          {-2.0110723e-8F, -1.0978888e-8F, 8.831694e-9F},
          {-2.5F, 1.25F, 0.9375F}},
-        CUBESAT_3U_F32_SATURATED, 0x985A4BB0U,
-        {6.59e-5F, 5.05e-5F, 1.0e-5F, 5.0e-5F}, {0x83782548U, 0xA65BCF20U, 0x8396D4F6U}
+        CUBESAT_3U_F32_SATURATED, 0x190B5126U,
+        {6.59e-5F, 5.05e-5F, 1.0e-5F, 5.0e-5F}, {0x65B0E216U, 0xA65BCF20U, 0x8396D4F6U}
     },
     { /* error 1e-4 rad, moving reference */
         {{0.9935234F, -0.10400262F, -0.045767054F, 0.045764823F, 0.7349276F, -0.6765996F,
@@ -139,7 +139,7 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {-1.50791485e-5F, -4.0150233e-5F, 9.03396834e-5F},
          {-2.9374787F, -1.9999882F, -0.3124912F}},
         CUBESAT_3U_F32_SATURATED, 0x08B1407CU,
-        {0.000153F, 5.99e-5F, 1.0e-5F, 5.94e-5F}, {0x0C678357U, 0x89B247FEU, 0x31E193F5U}
+        {0.000153F, 5.99e-5F, 1.0e-5F, 5.94e-5F}, {0xB2B6F154U, 0x89B247FEU, 0x31E193F5U}
     },
     { /* error 1e-2 rad, moving reference */
         {{0.9261699F, 0.0902969F, 0.36613643F, 0.14955339F, 0.8033455F, -0.5764284F, -0.34618375F,
@@ -186,8 +186,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {-1.03912F, -1.272841F, -1.2887151F},
          {-0.36980014F, -0.3235751F, 0.09245003F},
          {-0.7525056F, -1.5346815F, -1.1939077F}},
-        CUBESAT_3U_F32_SATURATED, 0x38105269U,
-        {0.000121F, 4.04e-5F, 1.37e-5F, 4.22e-5F}, {0xB534420EU, 0xF079071EU, 0xD1109B15U}
+        CUBESAT_3U_F32_SATURATED, 0x5C63DA3CU,
+        {0.000121F, 4.04e-5F, 1.37e-5F, 4.22e-5F}, {0xD3F5AEA8U, 0xF079071EU, 0xD1109B15U}
     },
     { /* error 1 rad, moving reference */
         {{0.34362543F, -0.53054816F, 0.77488077F, 0.86916184F, 0.49214667F, -0.048470173F,
@@ -218,8 +218,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {3.7834492F, 1.31858953F, -1.336386744F},
          {-0.32183935F, -1.34099727F, -0.5900388F},
          {4.4083557F, 0.052650795F, 1.3905542F}},
-        CUBESAT_3U_F32_SATURATED, 0x20F94BD7U,
-        {8.49e-5F, 7.68e-5F, 2.34e-5F, 8.22e-5F}, {0xAFC4E463U, 0x7CF711ABU, 0x32C94513U}
+        CUBESAT_3U_F32_SATURATED, 0x946E57ACU,
+        {8.49e-5F, 7.68e-5F, 2.34e-5F, 8.22e-5F}, {0x7CBFAC5FU, 0x7CF711ABU, 0x32C94513U}
     },
     { /* error 2 rad, moving reference */
         {{0.28100902F, 0.5822103F, 0.76293194F, -0.95290554F, 0.26373148F, 0.14972222F,
@@ -234,8 +234,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {2.71381153F, -1.3190079F, -2.3068201F},
          {-1.34442802F, 0.3102526F, -1.44784553F},
          {0.58338297F, -4.397632F, -0.85013386F}},
-        CUBESAT_3U_F32_SATURATED, 0xCE1F8EB3U,
-        {9.96e-5F, 5.65e-5F, 2.45e-5F, 7.15e-5F}, {0xDE5D3703U, 0xE300F002U, 0x2B4CD8DFU}
+        CUBESAT_3U_F32_SATURATED, 0xA3DDA083U,
+        {9.96e-5F, 5.65e-5F, 2.45e-5F, 7.15e-5F}, {0xB9F22139U, 0xE300F002U, 0x2B4CD8DFU}
     },
     { /* error 2.5 rad, moving reference */
         {{-0.57395434F, -0.5277575F, 0.62613773F, -0.73239845F, 0.6728515F, -0.104227595F,
@@ -250,8 +250,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {3.31199156F, 1.6262673F, 1.308904F},
          {-1.00900918F, 1.8498502F, -1.3453456F},
          {3.92833F, -1.3470007F, -3.0093108F}},
-        CUBESAT_3U_F32_SATURATED, 0x3D4825FCU,
-        {0.000152F, 6.71e-5F, 2.85e-5F, 7.18e-5F}, {0xF6F3BF0BU, 0xDA0A196EU, 0x7695CA45U}
+        CUBESAT_3U_F32_SATURATED, 0xEF1C210BU,
+        {0.000152F, 6.71e-5F, 2.85e-5F, 7.18e-5F}, {0xB2212496U, 0xDA0A196EU, 0x7695CA45U}
     },
     { /* error 3 rad, moving reference */
         {{-0.9620775F, -0.0040006754F, 0.272747F, 0.27227506F, -0.07467599F, 0.9593173F,
@@ -266,8 +266,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {1.5972394F, -3.586954F, -0.5345704F},
          {-1.0064906F, -1.3724872F, -2.4704768F},
          {-4.3069854F, -3.1867113F, 1.83064846F}},
-        CUBESAT_3U_F32_SATURATED, 0x1683C450U,
-        {0.000169F, 7.39e-5F, 3.47e-5F, 8.06e-5F}, {0xBB47B8D5U, 0xCC32F5CFU, 0xFDEE634CU}
+        CUBESAT_3U_F32_SATURATED, 0x415E041AU,
+        {0.000169F, 7.39e-5F, 3.47e-5F, 8.06e-5F}, {0xC23B1DC1U, 0xCC32F5CFU, 0xFDEE634CU}
     },
     { /* error at the cut, at rest */
         {{1.0F, 0.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, -1.0F},
@@ -280,8 +280,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {1.7820796F, -0.25F, 1.5625F},
          {3.1415927F, 0.0F, 0.0F},
          {1.625F, -2.4543693F, -0.3926991F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x62E4E61EU,
-        {6.06e-5F, 3.46e-5F, 4.14e-5F, 4.08e-5F}, {0x66CCE512U, 0x3DE2334BU, 0x7F3273F2U}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x137E9102U,
+        {6.06e-5F, 3.46e-5F, 4.14e-5F, 4.08e-5F}, {0x3DE2334BU, 0x3DE2334BU, 0x7F3273F2U}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, -1.0F},
@@ -294,8 +294,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {1.6875F, 1.0945796F, 0.875F},
          {0.0F, 3.1415927F, 0.0F},
          {1.3744468F, 0.9375F, -2.6507188F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x34DC94CAU,
-        {4.65e-5F, 3.43e-5F, 4.14e-5F, 4.34e-5F}, {0x110EDC98U, 0xBF6B54B7U, 0x6DD1EEA7U}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0xB2811E95U,
+        {4.65e-5F, 3.43e-5F, 4.14e-5F, 4.34e-5F}, {0xBF6B54B7U, 0xBF6B54B7U, 0x6DD1EEA7U}
     },
     { /* error at the cut, at rest */
         {{-1.0F, 0.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, 1.0F},
@@ -309,7 +309,7 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {0.0F, 0.0F, 3.1415927F},
          {2.1598449F, 2.7488936F, 0.75F}},
         CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x1C22B66CU,
-        {4.07e-5F, 3.55e-5F, 4.14e-5F, 4.5e-5F}, {0x99622CF1U, 0x6F253271U, 0x2CFEDD78U}
+        {4.07e-5F, 3.55e-5F, 4.14e-5F, 4.5e-5F}, {0x6F253271U, 0x6F253271U, 0x2CFEDD78U}
     },
     { /* state at the cut, moving reference */
         {{1.0F, 0.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, -1.0F},
@@ -371,8 +371,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {2.5534326F, 2.020991F, 0.1789032F},
          {2.48091902F, -1.8606893F, -0.49618378F},
          {0.83763387F, -1.2293307F, 4.7825346F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x445FBB0DU,
-        {0.000108F, 5.23e-5F, 3.48e-5F, 7.41e-5F}, {0x235BEE9DU, 0x8B80A7EFU, 0x75280DCEU}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x9155593DU,
+        {0.000108F, 5.23e-5F, 3.48e-5F, 7.41e-5F}, {0x64F51D66U, 0x8B80A7EFU, 0x75280DCEU}
     },
     { /* error 1e-2 rad beyond the cut, moving reference */
         {{-0.023341008F, 0.9995237F, -0.02018698F, 0.5583433F, 0.029783005F, 0.8290752F,
@@ -403,8 +403,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {2.8759298F, -2.8123924F, -0.687159F},
          {-2.9512599F, -0.34052999F, -1.02159F},
          {0.8697448F, -2.2304158F, 5.3975426F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0xFCC5F1D7U,
-        {0.000149F, 6.47e-5F, 3.95e-5F, 8.65e-5F}, {0x2CD0E376U, 0x7EEAD02BU, 0x92270BE1U}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x79BC6C04U,
+        {0.000149F, 6.47e-5F, 3.95e-5F, 8.65e-5F}, {0x6B5CD972U, 0x7EEAD02BU, 0x92270BE1U}
     },
     { /* error 1e-5 rad beyond the cut, moving reference */
         {{0.0051558665F, -0.5352548F, 0.84467494F, -0.98826087F, -0.13170326F, -0.077425584F,
@@ -419,8 +419,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {2.3771743F, 1.1385942F, -0.048241127F},
          {2.1943906F, -1.40441F, 1.7555125F},
          {-0.2897789F, 1.7070478F, 3.4591118F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x7813EB57U,
-        {0.000153F, 6.36e-5F, 3.19e-5F, 7.4e-5F}, {0xA30754E5U, 0x694266CAU, 0xD3C810EDU}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0xFCA98D74U,
+        {0.000153F, 6.36e-5F, 3.19e-5F, 7.4e-5F}, {0xBAAE90C6U, 0x694266CAU, 0xD3C810EDU}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{1.0F, 0.0F, 0.0F, 0.0F, -0.9999995F, -0.0009999998F, 0.0F, 0.0009999998F, -0.9999995F},
@@ -433,8 +433,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {0.9070296F, 1.75F, 2.0F},
          {3.14059265F, 0.0F, 0.0F},
          {0.75F, -3.1392186F, 2.749589F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x99E474CBU,
-        {7.29e-5F, 4.05e-5F, 4.14e-5F, 5.14e-5F}, {0x41E9D90BU, 0xA44CF139U, 0x7EADB470U}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0xC860374EU,
+        {7.29e-5F, 4.05e-5F, 4.14e-5F, 5.14e-5F}, {0xA44CF139U, 0xA44CF139U, 0x7EADB470U}
     },
     { /* error 1e-3 rad beyond the cut, at rest */
         {{-0.9999995F, 0.0F, -0.0009999998F, 0.0F, 1.0F, 0.0F, 0.0009999998F, 0.0F, -0.9999995F},
@@ -447,8 +447,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {0.8125F, -0.7820296F, 1.3125F},
          {0.0F, -3.14059265F, 0.0F},
          {-2.060376F, -0.625F, 1.27689627F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x223726D4U,
-        {5.15e-5F, 2.68e-5F, 4.14e-5F, 3.37e-5F}, {0xD1F5D219U, 0xE6E3B586U, 0x35F9D8FDU}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x603EBC00U,
+        {5.15e-5F, 2.68e-5F, 4.14e-5F, 3.37e-5F}, {0xE6E3B586U, 0xE6E3B586U, 0x35F9D8FDU}
     },
     { /* error 1e-3 rad before the cut, at rest */
         {{-0.9999995F, -0.0009999998F, 0.0F, 0.0009999998F, -0.9999995F, 0.0F, 0.0F, 0.0F, 1.0F},
@@ -461,8 +461,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {0.875F, 0.625F, 1.2820296F},
          {0.0F, 0.0F, 3.14059265F},
          {-0.9807482F, 1.3745F, 1.125F}},
-        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0x656CDBFAU,
-        {2.73e-5F, 2.46e-5F, 4.14e-5F, 2.5e-5F}, {0x0466DB88U, 0x7409ED83U, 0x1D50511AU}
+        CUBESAT_3U_F32_NEAR_CUT_LOCUS, 0xDF35E663U,
+        {2.73e-5F, 2.46e-5F, 4.14e-5F, 2.5e-5F}, {0x7409ED83U, 0x7409ED83U, 0x1D50511AU}
     },
     { /* error 1 rad, moving reference */
         {{0.8242976F, -0.51799226F, -0.22851135F, 0.49947894F, 0.8553847F, -0.13725084F, 0.26656F,
@@ -477,8 +477,8 @@ const cubesat_3u_f32_case cubesat_3u_f32_cases[CUBESAT_3U_F32_CASES] = {
          {0.10124917F, 0.16793973F, 2.3792F},
          {-0.6623491F, -0.45679246F, 0.5938302F},
          {-0.538722F, 0.94540526F, 2.1792372F}},
-        CUBESAT_3U_F32_SATURATED, 0x7FB9EC5BU,
-        {0.000152F, 5.87e-5F, 1.66e-5F, 5.62e-5F}, {0x4173591EU, 0xAC87815EU, 0xCC48C709U}
+        CUBESAT_3U_F32_SATURATED, 0x4641A052U,
+        {0.000152F, 5.87e-5F, 1.66e-5F, 5.62e-5F}, {0xF7FEB9A1U, 0xAC87815EU, 0xCC48C709U}
     },
     { /* g not a number */
         {{NOT_A_NUMBER, -0.51799226F, -0.22851135F, 0.49947894F, 0.8553847F, -0.13725084F, 0.26656F,
@@ -1129,7 +1129,7 @@ static int hollow_failures(void)
           -1.1175871e-8F, -7.450581e-9F, -3.7252903e-9F},
          {0.0F, 0.25F, 0.5F},
          {0.75F, -0.75F, -0.5F}},
-        .bare = {0xD153A4C6U, 0x38A428BBU, 0x35BFCB2DU}
+        .bare = {0xAB2ACC67U, 0x38A428BBU, 0x35BFCB2DU}
     };
     return bare_failures(&hollow, &hollow.truth);
 }

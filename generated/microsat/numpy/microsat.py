@@ -101,7 +101,8 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e])[0] < max_drift * max_drift)[..., 0]
+        drift = _batched(_drift, [g_e])[0]
+        good = good & (drift < max_drift * max_drift)[..., 0]
         command[0], status = _saturated(command[0], force_limit)
         near = np.where((sign * g_e[..., :1])[..., 0] < HYSTERESIS, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
@@ -406,10 +407,10 @@ def _law(
     wanted_0 = eta_dot_0 - nu_u_dot_0*rate_gain - reach_gain*s_0
     wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1
     wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2
-    # turning: lambda nu_u - eta, as s - nu [rad/s]
-    turning_0 = s_0 - nu_0
-    turning_1 = s_1 - nu_1
-    turning_2 = s_2 - nu_2
+    # turning: lambda nu_u - eta [rad/s]
+    turning_0 = drive_0 - eta_0
+    turning_1 = drive_1 - eta_1
+    turning_2 = drive_2 - eta_2
     # momentum: I nu [N m s]
     momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2
     momentum_1 = inertia_1*nu_0 + inertia_3*nu_1 + inertia_4*nu_2

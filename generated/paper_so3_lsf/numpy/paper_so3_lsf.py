@@ -91,7 +91,8 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e])[0] < max_drift * max_drift)[..., 0]
+        drift = _batched(_drift, [g_e])[0]
+        good = good & (drift < max_drift * max_drift)[..., 0]
         status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
         refused = np.where(far, OUT_OF_RANGE, NOT_ON_GROUP)

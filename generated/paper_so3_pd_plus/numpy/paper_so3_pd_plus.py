@@ -91,7 +91,8 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e])[0] < max_drift * max_drift)[..., 0]
+        drift = _batched(_drift, [g_e])[0]
+        good = good & (drift < max_drift * max_drift)[..., 0]
         status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
@@ -310,16 +311,16 @@ def _law(
     scale = np.where(scale_if_0, -inverse_norm, inverse_norm)
     # w: cos of half the error angle [1]
     w = power_3*scale
-    # nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3)
-    nu_u_0 = power_0*scale
-    nu_u_1 = power_1*scale
-    nu_u_2 = power_2*scale
+    # v: sin of half the error angle times its axis [1]
+    v_0 = power_0*scale
+    v_1 = power_1*scale
+    v_2 = power_2*scale
     # ratio: k_R/k_Omega [1/s]
     ratio = k_R/k_Omega
     # s: sliding variable [rad/s], eq. (s3)
-    s_0 = nu_e_0 + nu_u_0*ratio
-    s_1 = nu_e_1 + nu_u_1*ratio
-    s_2 = nu_e_2 + nu_u_2*ratio
+    s_0 = nu_e_0 + ratio*v_0
+    s_1 = nu_e_1 + ratio*v_1
+    s_2 = nu_e_2 + ratio*v_2
     # momentum: I eta [N m s]
     momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2
     momentum_1 = eta_0*inertia_1 + eta_1*inertia_3 + eta_2*inertia_4
@@ -341,7 +342,7 @@ def _law(
     return (
         (force_0, force_1, force_2),
         (s_0, s_1, s_2),
-        (nu_u_0, nu_u_1, nu_u_2),
+        (v_0, v_1, v_2),
         (w,),
     )
 

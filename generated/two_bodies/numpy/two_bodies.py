@@ -100,7 +100,8 @@ def control(
         good = good & ((np.abs(given[5]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[6]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e, given[3], given[5]])[0] < max_drift * max_drift)[..., 0]
+        drift = _batched(_drift, [g_e, given[3], given[5]])[0]
+        good = good & (drift < max_drift * max_drift)[..., 0]
         status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
@@ -695,16 +696,16 @@ def _law(
     wanted_6 = eta_dot_6 - nu_u_dot_6*rate_gain - reach_gain*s_6
     wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7
     wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8
-    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
-    turning_0 = s_0 - nu_0
-    turning_1 = s_1 - nu_1
-    turning_2 = s_2 - nu_2
-    turning_3 = s_3 - nu_3
-    turning_4 = s_4 - nu_4
-    turning_5 = s_5 - nu_5
-    turning_6 = s_6 - nu_6
-    turning_7 = s_7 - nu_7
-    turning_8 = s_8 - nu_8
+    # turning: lambda nu_u - eta [rad/s, m/s]
+    turning_0 = drive_0 - eta_0
+    turning_1 = drive_1 - eta_1
+    turning_2 = drive_2 - eta_2
+    turning_3 = drive_3 - eta_3
+    turning_4 = drive_4 - eta_4
+    turning_5 = drive_5 - eta_5
+    turning_6 = drive_6 - eta_6
+    turning_7 = drive_7 - eta_7
+    turning_8 = drive_8 - eta_8
     # momentum: I nu [N m s, N s]
     momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4
     momentum_1 = inertia_11*nu_3 + inertia_9*nu_1

@@ -99,7 +99,8 @@ def control(
         good = good & ((np.abs(given[6]) <= MAX_INPUT) | ~FREE).all(-1)
         good = good & (np.abs(given[7]) <= MAX_INPUT).all(-1)
         good = good & (np.abs(given[8]) <= MAX_INPUT).all(-1)
-        good = good & (_batched(_drift, [g_e, given[3], given[6]])[0] < max_drift * max_drift)[..., 0]
+        drift = _batched(_drift, [g_e, given[3], given[6]])[0]
+        good = good & (drift < max_drift * max_drift)[..., 0]
         status = np.where(np.isfinite(command[0]).all(-1), OK, NONFINITE_INPUT)
         near = np.where(clearance[..., 0] < NEAR_CUT, NEAR_CUT_LOCUS, OK)
         far = (~(np.abs(g_e) <= BOUNDS) & FREE).any(-1)
@@ -570,13 +571,13 @@ def _law(
     wanted_3 = eta_dot_3 - nu_u_dot_3*rate_gain - reach_gain*s_3
     wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4
     wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5
-    # turning: lambda nu_u - eta, as s - nu [rad/s, m/s]
-    turning_0 = s_0 - nu_0
-    turning_1 = s_1 - nu_1
-    turning_2 = s_2 - nu_2
-    turning_3 = s_3 - nu_3
-    turning_4 = s_4 - nu_4
-    turning_5 = s_5 - nu_5
+    # turning: lambda nu_u - eta [rad/s, m/s]
+    turning_0 = drive_0 - eta_0
+    turning_1 = drive_1 - eta_1
+    turning_2 = drive_2 - eta_2
+    turning_3 = drive_3 - eta_3
+    turning_4 = drive_4 - eta_4
+    turning_5 = drive_5 - eta_5
     # momentum: I nu [N m s, N s]
     momentum_0 = (
         inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_3*nu_3 + inertia_4*nu_4 +

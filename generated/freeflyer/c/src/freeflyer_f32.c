@@ -376,13 +376,13 @@ static float freeflyer_f32_law(const freeflyer_f32_params *params, const freefly
     const float wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const float wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
-    const float turning_0 = s_0 - nu_0;
-    const float turning_1 = s_1 - nu_1;
-    const float turning_2 = s_2 - nu_2;
-    const float turning_3 = s_3 - nu_3;
-    const float turning_4 = s_4 - nu_4;
-    const float turning_5 = s_5 - nu_5;
+    /* turning: lambda nu_u - eta [rad/s, m/s] */
+    const float turning_0 = drive_0 - eta_0;
+    const float turning_1 = drive_1 - eta_1;
+    const float turning_2 = drive_2 - eta_2;
+    const float turning_3 = drive_3 - eta_3;
+    const float turning_4 = drive_4 - eta_4;
+    const float turning_5 = drive_5 - eta_5;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 +

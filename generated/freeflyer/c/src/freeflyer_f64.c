@@ -413,13 +413,13 @@ static double freeflyer_f64_law(const freeflyer_f64_params *params,
     const double wanted_4 = eta_dot_4 - nu_u_dot_4*rate_gain - reach_gain*s_4;
     const double wanted_5 = eta_dot_5 - nu_u_dot_5*rate_gain - reach_gain*s_5;
 
-    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
-    const double turning_0 = s_0 - nu_0;
-    const double turning_1 = s_1 - nu_1;
-    const double turning_2 = s_2 - nu_2;
-    const double turning_3 = s_3 - nu_3;
-    const double turning_4 = s_4 - nu_4;
-    const double turning_5 = s_5 - nu_5;
+    /* turning: lambda nu_u - eta [rad/s, m/s] */
+    const double turning_0 = drive_0 - eta_0;
+    const double turning_1 = drive_1 - eta_1;
+    const double turning_2 = drive_2 - eta_2;
+    const double turning_3 = drive_3 - eta_3;
+    const double turning_4 = drive_4 - eta_4;
+    const double turning_5 = drive_5 - eta_5;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2 + inertia_4*nu_4 +

@@ -236,10 +236,10 @@ static float hovercraft_f32_law(const hovercraft_f32_params *params,
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
-    const float turning_0 = s_0 - nu_0;
-    const float turning_1 = s_1 - nu_1;
-    const float turning_2 = s_2 - nu_2;
+    /* turning: lambda nu_u - eta [rad/s, m/s] */
+    const float turning_0 = drive_0 - nu_r_0;
+    const float turning_1 = drive_1 - eta_1;
+    const float turning_2 = drive_2 - eta_2;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_1 = inertia_3*nu_1;

@@ -260,10 +260,10 @@ static double hovercraft_f64_law(const hovercraft_f64_params *params,
     const double wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const double wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
-    const double turning_0 = s_0 - nu_0;
-    const double turning_1 = s_1 - nu_1;
-    const double turning_2 = s_2 - nu_2;
+    /* turning: lambda nu_u - eta [rad/s, m/s] */
+    const double turning_0 = drive_0 - nu_r_0;
+    const double turning_1 = drive_1 - eta_1;
+    const double turning_2 = drive_2 - eta_2;
 
     /* momentum: I nu [N m s, N s] */
     const double momentum_1 = inertia_3*nu_1;

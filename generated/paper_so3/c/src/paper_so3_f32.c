@@ -229,10 +229,10 @@ static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_s
     const float wanted_1 = eta_dot_1 - nu_u_dot_1*rate_gain - reach_gain*s_1;
     const float wanted_2 = eta_dot_2 - nu_u_dot_2*rate_gain - reach_gain*s_2;
 
-    /* turning: lambda nu_u - eta, as s - nu [rad/s] */
-    const float turning_0 = s_0 - nu_0;
-    const float turning_1 = s_1 - nu_1;
-    const float turning_2 = s_2 - nu_2;
+    /* turning: lambda nu_u - eta [rad/s] */
+    const float turning_0 = drive_0 - eta_0;
+    const float turning_1 = drive_1 - eta_1;
+    const float turning_2 = drive_2 - eta_2;
 
     /* momentum: I nu [N m s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_1*nu_1 + inertia_2*nu_2;

@@ -161,18 +161,18 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     /* w: cos of half the error angle [1] */
     const float w = power_3*scale;
 
-    /* nu_u: attitude error, sin(angle/2) axis [rad], eq. (s3) */
-    const float nu_u_0 = power_0*scale;
-    const float nu_u_1 = power_1*scale;
-    const float nu_u_2 = power_2*scale;
+    /* v: sin of half the error angle times its axis [1] */
+    const float v_0 = power_0*scale;
+    const float v_1 = power_1*scale;
+    const float v_2 = power_2*scale;
 
     /* ratio: k_R/k_Omega [1/s] */
     const float ratio = k_R/k_Omega;
 
     /* s: sliding variable [rad/s], eq. (s3) */
-    const float s_0 = nu_e_0 + nu_u_0*ratio;
-    const float s_1 = nu_e_1 + nu_u_1*ratio;
-    const float s_2 = nu_e_2 + nu_u_2*ratio;
+    const float s_0 = nu_e_0 + ratio*v_0;
+    const float s_1 = nu_e_1 + ratio*v_1;
+    const float s_2 = nu_e_2 + ratio*v_2;
 
     /* momentum: I eta [N m s] */
     const float momentum_0 = eta_0*inertia_0 + eta_1*inertia_1 + eta_2*inertia_2;
@@ -194,9 +194,9 @@ static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *param
     command->s[0] = s_0;
     command->s[1] = s_1;
     command->s[2] = s_2;
-    command->nu_u[0] = nu_u_0;
-    command->nu_u[1] = nu_u_1;
-    command->nu_u[2] = nu_u_2;
+    command->nu_u[0] = v_0;
+    command->nu_u[1] = v_1;
+    command->nu_u[2] = v_2;
     return w;
 }
 

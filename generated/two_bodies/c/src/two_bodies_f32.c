@@ -541,16 +541,16 @@ static float two_bodies_f32_law(const two_bodies_f32_params *params,
     const float wanted_7 = eta_dot_7 - nu_u_dot_7*rate_gain - reach_gain*s_7;
     const float wanted_8 = eta_dot_8 - nu_u_dot_8*rate_gain - reach_gain*s_8;
 
-    /* turning: lambda nu_u - eta, as s - nu [rad/s, m/s] */
-    const float turning_0 = s_0 - nu_0;
-    const float turning_1 = s_1 - nu_1;
-    const float turning_2 = s_2 - nu_2;
-    const float turning_3 = s_3 - nu_3;
-    const float turning_4 = s_4 - nu_4;
-    const float turning_5 = s_5 - nu_5;
-    const float turning_6 = s_6 - nu_6;
-    const float turning_7 = s_7 - nu_7;
-    const float turning_8 = s_8 - nu_8;
+    /* turning: lambda nu_u - eta [rad/s, m/s] */
+    const float turning_0 = drive_0 - eta_0;
+    const float turning_1 = drive_1 - eta_1;
+    const float turning_2 = drive_2 - eta_2;
+    const float turning_3 = drive_3 - eta_3;
+    const float turning_4 = drive_4 - eta_4;
+    const float turning_5 = drive_5 - eta_5;
+    const float turning_6 = drive_6 - eta_6;
+    const float turning_7 = drive_7 - eta_7;
+    const float turning_8 = drive_8 - eta_8;
 
     /* momentum: I nu [N m s, N s] */
     const float momentum_0 = inertia_0*nu_0 + inertia_2*nu_2 + inertia_4*nu_4;
