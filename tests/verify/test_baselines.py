@@ -82,7 +82,7 @@ def test_the_table_of_checks_says_whose_they_are() -> None:
 def test_no_mutant_that_moves_an_output_is_missed(name: str) -> None:
     """Of the law; the other routines are those of gsmc."""
     of = with_options(name, *EXTRAS) if name == "lsf" else BODIES[name]
-    each = 120 if name == "pd_plus" else 24  # a choice of columns needs many axes
+    each = 480 if name == "pd_plus" else 24  # a choice of columns needs many axes
     routine, outcome = next(iter(outcomes(plant(of), each=each)))
     assert routine == "tracking"
     assert outcome is not None

@@ -24,7 +24,8 @@ def judged(group: str, law: str, controller: str = "gsmc") -> Plant:
 
 @pytest.mark.parametrize(("group", "law"), [("SO3", "log"), ("S3", "half_log")])
 def test_no_mutant_that_moves_an_output_is_missed(group: str, law: str) -> None:
-    for routine, outcome in outcomes(judged(group, law)):
+    each = 480 if group == "SO3" else 120  # a wrong column shows near a corner of the cube alone
+    for routine, outcome in outcomes(judged(group, law), each=each):
         assert outcome is not None
         assert outcome.missed == (), routine
         assert outcome.tried > 10
