@@ -102,7 +102,7 @@ def test_what_is_promised_is_kept(found: Found) -> None:
     }  # fmt: skip
 
 
-@pytest.mark.xfail(reason="355 instructions, 15 more than promised: see README", strict=True)
+@pytest.mark.xfail(reason="363 instructions, 23 more than promised: see README", strict=True)
 def test_what_is_not_kept_yet(found: Found) -> None:
     assert all(check.is_ok for check in found.values() if check.limit.name == MISSED)
 
