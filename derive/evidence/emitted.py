@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-FLAGS = ("-std=c99", "-ffp-contract=off", "-fno-math-errno")
-"""What the package's own build files compile with; -O comes on top."""
+from derive.emit.around import FLAGS
+
+__all__ = ["FLAGS", "Emitted"]
+# FLAGS: what the package's own build files compile with; -O comes on top.
 
 
 @dataclass(frozen=True)
