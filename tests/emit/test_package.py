@@ -134,7 +134,8 @@ def test_no_file_has_a_place_on_this_machine(vehicle: Vehicle) -> None:
 
 def test_what_was_not_emitted_is_not_built() -> None:
     for path, text in subjects.texts(SINGLE[0]).items():
-        assert "f64" not in text or path == "trace.csv" or path.endswith(".py"), path
+        words = re.sub(r'"[0-9a-f]{64}"', '""', text)  # a hash may hold any letters
+        assert "f64" not in words or path == "trace.csv" or path.endswith(".py"), path
     numpy = subjects.texts(replace(BY_NAME["sl2"], targets=("numpy",)))
     assert sorted(numpy) == ["MANIFEST.toml", "numpy/sl2.py", "trace.csv"]
 

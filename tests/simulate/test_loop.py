@@ -66,8 +66,8 @@ BENT = [
     *((name, *AD) for name in CURVED),
     ("SE3", "wanted", r"\beta_dot_(\d+)", r"(-eta_dot_\1)"),
     ("SE3", "wanted", r"\bnu_u_dot_(\d+)", r"(-nu_u_dot_\1)"),
-    ("SE3", "turning", r"\bnu_(\d+)", r"(-nu_\1)"),
-    ("SE2", "turning", r"\bnu_(\d+)", r"(-nu_\1)"),
+    ("SE3", "turning", r"\beta_(\d+)", r"(-eta_\1)"),
+    ("SE2", "turning", r"\beta_(\d+)", r"(-eta_\1)"),
 ]
 
 
