@@ -80,6 +80,7 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         return _declared(routine(d, dialect), is_public, facts["element_shape"]) if d else None
 
     main = declared(parts.main, True) or {}
+    core = declared(parts.law) or {}
     has_side = facts["has_side"]
     main.update(symbol=CORE, public_writes=["command"])
     main["guarded_writes"] = ["side", "command"] if has_side else ["command"]
@@ -95,7 +96,8 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         "routines": [main, *public, *inner],
         "error": declared(parts.error),
         "seen": declared(parts.seen),
-        "core": declared(parts.law),
+        "core": core,
+        "passed": [e for one in core["inputs"] if one["name"] == "g_e" for e in one["entries"]],
         "drift": declared(parts.drift),
         "margins": more,
         "has_cut": has_cut,

@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from derive.emit.target import SCALARS
+
 ERROR, PAST = "_of_error", "_past_error"
 """The law in two, where a sign comes between."""
 
@@ -83,10 +85,11 @@ def limited(force: Sequence[float], limit: Limit, scalar: str) -> list[float]:
     pairs = list(zip(force, limit.force, strict=bool(limit.force)))
     if not any(abs(x) > most for x, most in pairs):
         return list(force)
-    share = 1.0
-    if limit.keeps_direction:
-        share = min(kept(most / abs(x)) for x, most in pairs if abs(x) > most)
-    return [max(-most, min(most, kept(x * share))) for x, most in pairs]
+    if not limit.keeps_direction:
+        return [max(-most, min(most, x)) for x, most in pairs]
+    least = min(kept(most / abs(x)) for x, most in pairs if abs(x) > most)
+    share = kept(least * float(SCALARS[scalar].shrunk))
+    return [kept(x * share) for x in force]
 
 
 def _kernel(kernel: Mapping[str, Any]) -> Iterator[str]:

@@ -13,6 +13,7 @@ from typing import Any
 
 import jinja2
 
+from derive.emit.condition import conditions
 from derive.emit.literal import c_literal, decimal, python_name
 from derive.emit.target import SCALARS, TARGETS, Target
 
@@ -162,6 +163,8 @@ def render(
             **spelled(scalar, target, values),
             **(tests or {}).get(scalar, {}),
         }
+        if target.name == "c99":
+            context |= conditions(context)
         for file in (one for one in target.files if tests or not one.is_test):
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)

@@ -31,6 +31,7 @@ class Scalar:
     refused:   clearance below which a law with a pole is refused
     max_param: largest inertia entry, force limit, and gain that is no rate
     min_gain, max_rate: least gain, and largest in 1/s
+    shrunk: of 1, what is below it by two ulps: a quotient and two products later still below 1
     """
 
     name: str
@@ -47,6 +48,7 @@ class Scalar:
     max_param: Fraction
     min_gain: Fraction
     max_rate: Fraction
+    shrunk: Fraction
 
     def constants(
         self,
@@ -86,9 +88,9 @@ def _scalar(name: str, type_: str, suffix: str, *bounds: str) -> Scalar:
 
 SCALARS = {
     "f32": _scalar("f32", "float", "f", "1e6", "1.01", "4e6", "1e3", "1e-4", "0.1", "1e-3", "1e-5",
-                   "1e9", "1e-9", "1e4"),
+                   "1e9", "1e-9", "1e4", "4194303/4194304"),
     "f64": _scalar("f64", "double", "", "1e6", "1.01", "4e6", "1e6", "1e-6", "0.1", "1e-3", "1e-8",
-                   "1e9", "1e-9", "1e4"),
+                   "1e9", "1e-9", "1e4", "2251799813685247/2251799813685248"),
 }  # fmt: skip
 
 

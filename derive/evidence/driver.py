@@ -55,7 +55,7 @@ def _context(interface: Interface, plant: Plant) -> dict[str, Any]:
         "judged": len(interface.members(*interface.judged)),
         "params": interface.structs["params"],
         "gains": [one for one in interface.structs["params"] if not one.is_array],
-        "limit": _named(interface.structs["params"], "limit"),
+        "limit": _named(interface.structs["params"], "force_limit"),
         "command": interface.structs["command"],
         "control": interface.call("control", pointers),
         "law": interface.call(interface.law, pointers),

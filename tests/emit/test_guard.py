@@ -166,7 +166,8 @@ def wanted_of(vehicle: Vehicle, name: str, value: float) -> tuple[int, ...]:
     if name == "max_drift":  # a distance of zero, or one that is beyond, is no element
         return (OFF,) if np.isnan(value) else (OFF, OK, SATURATED)
     if name == "force_limit":
-        return (OK,) if value > 0 else (NONFINITE,)  # no actuator gives nothing, or less
+        held = (SATURATED,) if value == 0 else (NONFINITE,)  # to nothing; to less it cannot be
+        return (OK,) if value > 0 else held
     return (NONFINITE, *((OK, SATURATED) if np.isfinite(value) else ()))
 
 

@@ -110,23 +110,27 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     "an inertia that is not judged": (PAPER, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
     "pointers that are not judged": (PAPER, first(r"\|\| reference == NULL", "|| 0")),
     "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "1")),
-    "a share beyond its limit": (
+    "a share that rounding takes beyond its limit": (
         SHARED,
-        first(
-            r"return \(fabsf\(force\) <= limit\) \? force : most",
-            "return most > 0.0F && force > 0.0F ? force : fabsf(force) <= limit ? force : most",
-        ),
-    ),
-    "a share beyond it the other way": (
-        SHARED,
-        first(r"return \(fabsf\(force\) <= limit\) \?", "return force <= limit ?"),
+        first(r"share = share\*[\d.]+F", "share = share*1.0F"),
     ),
     "a share that is not the least": (
         SHARED,
         first(r"return \(part < share\) \? part", "return part ? part"),
     ),
-    "a limit that is no number": (SHARED, first(r"limit\[2\] > 0\.0F", "1")),
-    "an infinite force that is cut": (LIMITED, first(r"isfinite\(force\[2\]\)", "1")),
+    "a limit that is no number": (
+        SHARED,
+        first(r"fabsf\(command->force\[2\]\) <= params->force_limit\[2\]", "1", -1),
+    ),
+    "a force cut at a limit that is no number": (
+        LIMITED,
+        first(r"params->force_limit\[2\] >= 0\.0F", "1"),
+    ),
+    "a force that is not cut": (
+        LIMITED,
+        first(r"return \(fabsf\(force\) <= limit\) \?", "return (force <= limit) ?"),
+    ),
+    "an infinite force that is cut": (LIMITED, first(r"isfinite\(command->force\[2\]\)", "1")),
 }
 """Of which vehicle what code is harmed: there must be a failure, or a crash."""
 

@@ -62,7 +62,7 @@ DEFECTS = {
     "unwritten": "if (status == 17) { memset(&command->nu_u[1], 0xff, sizeof(float)); }",
     "command": "if (status == 16) { command->force[2] = 1; }",
     "unseen": "if (status == 18 && isnan(reference->nu_dot[2])) { status = 0; }",
-    "limit": "if (status == 0) { command->force[0] = 2 * params->limit[0] + 1; }",
+    "limit": "if (status == 0) { command->force[0] = 2 * params->force_limit[0] + 1; }",
     "overrun": "if (status == 2) { command->s[0] = state->nu[3 + (int)(state->nu[0] > 0)]; }",
     "params": "if (params->k_s > 2) { command->force[0] = (float)INFINITY; }",
 }
@@ -77,7 +77,7 @@ PREFIX_status PREFIX_control(const PREFIX_params *params,
     const char *const chosen = getenv("DEFECT");
     int status = (int)PREFIX_honest(params, state, reference, command);
     for (int i = 0; status < 16 && i < 3; i++) {
-        const float limit = params->limit[i] > 0 ? params->limit[i] : 0;
+        const float limit = params->force_limit[i] > 0 ? params->force_limit[i] : 0;
         command->force[i] = fminf(fmaxf(command->force[i], -limit), limit);
     }
     CHOICES
@@ -86,7 +86,7 @@ PREFIX_status PREFIX_control(const PREFIX_params *params,
 PREFIX_status PREFIX_check_params(const PREFIX_params *params)
 {
     for (int i = 0; i < 3; i++) {
-        if (!(params->limit[i] > 0 && isfinite(params->limit[i]))) {
+        if (!(params->force_limit[i] > 0 && isfinite(params->force_limit[i]))) {
             return (PREFIX_status)19;
         }
     }
@@ -103,8 +103,8 @@ def spoilt(emitted: Emitted, folder: Path) -> Emitted:
     made, prefix = copy(emitted, folder), emitted.prefix
     header = made.header.read_text(encoding="utf-8")
     text = made.source.read_text(encoding="utf-8")
-    if "limit[" not in header:
-        header = header.replace(f"}} {prefix}_params;", f"    float limit[3];\n}} {prefix}_params;")
+    if "force_limit[" not in header:
+        header = header.replace(f"}} {prefix}_params;", f"    float force_limit[3];\n}} {prefix}_params;")
         text = re.sub(
             r"(_defaults = \{.*?)\n\};", r"\1, {1e30F, 1e30F, 1e30F}\n};", text, flags=re.S
         )

@@ -23,7 +23,8 @@ def built(emitted: Emitted, folder: Path) -> fuzz.Fuzzer:
 
 
 @pytest.mark.parametrize(
-    ("name", "scalar"), [("paper_so3", "f32"), ("paper_so3", "f64"), ("underwater", "f32")]
+    ("name", "scalar"),
+    [("paper_so3", "f32"), ("paper_so3", "f64"), ("underwater", "f32"), ("cubesat_3u", "f32")],
 )
 def test_no_bytes_break_a_promise(tmp_path: Path, name: str, scalar: str) -> None:
     emitted = attacked.package(name, scalar)

@@ -249,11 +249,9 @@ def _judge(rows: Array) -> Array:
 
 def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     """The force within its limits, (..., 6), and OK, SATURATED or NONFINITE_INPUT, (...)."""
-    size = np.abs(force)
-    cut = force
-    cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
-    usable = (np.isfinite(force) & (limit > 0.0)).all(-1)
-    within = (size <= limit).all(-1)
+    cut = np.where(np.abs(force) <= limit, force, np.where(force > 0.0, limit, -limit))
+    usable = (np.isfinite(force) & (limit >= 0.0)).all(-1)
+    within = (np.abs(force) <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status
 

@@ -254,11 +254,10 @@ def _judge(rows: Array) -> Array:
 def _saturated(force: Array, limit: Array) -> tuple[Array, Array]:
     """The force within its limits, (..., 3), and OK, SATURATED or NONFINITE_INPUT, (...)."""
     size = np.abs(force)
-    share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)  # direction stays
-    cut = force * share
-    cut = np.where(np.abs(cut) <= limit, cut, np.where(cut > 0.0, limit, -limit))
-    usable = (np.isfinite(force) & (limit > 0.0)).all(-1)
-    within = (size <= limit).all(-1)
+    share = np.where(size > limit, limit / size, 1.0).min(-1, keepdims=True)
+    cut = force * (share * 0.9999999999999996)  # below the limit, however it is rounded
+    usable = (np.abs(cut) <= limit).all(-1)
+    within = (np.abs(force) <= limit).all(-1)
     status = np.where(within, OK, np.where(usable, SATURATED, NONFINITE_INPUT))
     return np.where(within[..., None], force, cut), status
 

@@ -564,31 +564,25 @@ static float cubesat_3u_f32_share(const float share, const float force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit. */
-static float cubesat_3u_f32_cut(const float force, const float limit)
-{
-    const float most = (force > 0.0F) ? limit : -limit;
-    return (fabsf(force) <= limit) ? force : most;
-}
-
-/* The force within its limits, shrunk as a whole, so that its direction stays. */
+/* The force shrunk as a whole, so that its direction stays: by the least share, less what rounding
+   may add. Of NaN, of infinity and of a negative limit comes nothing that is within. */
 static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params *params,
         cubesat_3u_f32_command *command)
 {
-    float *const force = command->force;
-    const float *const limit = params->force_limit;
     float share = 1.0F;
-    if (!(isfinite(force[0]) && limit[0] > 0.0F && isfinite(force[1]) && limit[1] > 0.0F
-            && isfinite(force[2]) && limit[2] > 0.0F)) {
+    share = cubesat_3u_f32_share(share, command->force[0], params->force_limit[0]);
+    share = cubesat_3u_f32_share(share, command->force[1], params->force_limit[1]);
+    share = cubesat_3u_f32_share(share, command->force[2], params->force_limit[2]);
+    share = share*0.99999976F;
+    command->force[0] = command->force[0]*share;
+    command->force[1] = command->force[1]*share;
+    command->force[2] = command->force[2]*share;
+    if (!(fabsf(command->force[0]) <= params->force_limit[0]
+            && fabsf(command->force[1]) <= params->force_limit[1]
+            && fabsf(command->force[2]) <= params->force_limit[2])) {
         cubesat_3u_f32_nothing(command);
         return CUBESAT_3U_F32_NONFINITE_INPUT;
     }
-    share = cubesat_3u_f32_share(share, force[0], limit[0]);
-    share = cubesat_3u_f32_share(share, force[1], limit[1]);
-    share = cubesat_3u_f32_share(share, force[2], limit[2]);
-    force[0] = cubesat_3u_f32_cut(force[0]*share, limit[0]);
-    force[1] = cubesat_3u_f32_cut(force[1]*share, limit[1]);
-    force[2] = cubesat_3u_f32_cut(force[2]*share, limit[2]);
     return CUBESAT_3U_F32_SATURATED;
 }
 

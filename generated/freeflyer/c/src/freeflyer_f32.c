@@ -1064,20 +1064,21 @@ static float freeflyer_f32_cut(const float force, const float limit)
 static freeflyer_f32_status freeflyer_f32_saturate(const freeflyer_f32_params *params,
         freeflyer_f32_command *command)
 {
-    float *const force = command->force;
-    const float *const limit = params->force_limit;
-    if (!(isfinite(force[0]) && limit[0] > 0.0F && isfinite(force[1]) && limit[1] > 0.0F
-            && isfinite(force[2]) && limit[2] > 0.0F && isfinite(force[3]) && limit[3] > 0.0F
-            && isfinite(force[4]) && limit[4] > 0.0F && isfinite(force[5]) && limit[5] > 0.0F)) {
+    if (!(isfinite(command->force[0]) && params->force_limit[0] >= 0.0F
+            && isfinite(command->force[1]) && params->force_limit[1] >= 0.0F
+            && isfinite(command->force[2]) && params->force_limit[2] >= 0.0F
+            && isfinite(command->force[3]) && params->force_limit[3] >= 0.0F
+            && isfinite(command->force[4]) && params->force_limit[4] >= 0.0F
+            && isfinite(command->force[5]) && params->force_limit[5] >= 0.0F)) {
         freeflyer_f32_nothing(command);
         return FREEFLYER_F32_NONFINITE_INPUT;
     }
-    force[0] = freeflyer_f32_cut(force[0], limit[0]);
-    force[1] = freeflyer_f32_cut(force[1], limit[1]);
-    force[2] = freeflyer_f32_cut(force[2], limit[2]);
-    force[3] = freeflyer_f32_cut(force[3], limit[3]);
-    force[4] = freeflyer_f32_cut(force[4], limit[4]);
-    force[5] = freeflyer_f32_cut(force[5], limit[5]);
+    command->force[0] = freeflyer_f32_cut(command->force[0], params->force_limit[0]);
+    command->force[1] = freeflyer_f32_cut(command->force[1], params->force_limit[1]);
+    command->force[2] = freeflyer_f32_cut(command->force[2], params->force_limit[2]);
+    command->force[3] = freeflyer_f32_cut(command->force[3], params->force_limit[3]);
+    command->force[4] = freeflyer_f32_cut(command->force[4], params->force_limit[4]);
+    command->force[5] = freeflyer_f32_cut(command->force[5], params->force_limit[5]);
     return FREEFLYER_F32_SATURATED;
 }
 

@@ -1101,20 +1101,21 @@ static double freeflyer_f64_cut(const double force, const double limit)
 static freeflyer_f64_status freeflyer_f64_saturate(const freeflyer_f64_params *params,
         freeflyer_f64_command *command)
 {
-    double *const force = command->force;
-    const double *const limit = params->force_limit;
-    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
-            && isfinite(force[2]) && limit[2] > 0.0 && isfinite(force[3]) && limit[3] > 0.0
-            && isfinite(force[4]) && limit[4] > 0.0 && isfinite(force[5]) && limit[5] > 0.0)) {
+    if (!(isfinite(command->force[0]) && params->force_limit[0] >= 0.0
+            && isfinite(command->force[1]) && params->force_limit[1] >= 0.0
+            && isfinite(command->force[2]) && params->force_limit[2] >= 0.0
+            && isfinite(command->force[3]) && params->force_limit[3] >= 0.0
+            && isfinite(command->force[4]) && params->force_limit[4] >= 0.0
+            && isfinite(command->force[5]) && params->force_limit[5] >= 0.0)) {
         freeflyer_f64_nothing(command);
         return FREEFLYER_F64_NONFINITE_INPUT;
     }
-    force[0] = freeflyer_f64_cut(force[0], limit[0]);
-    force[1] = freeflyer_f64_cut(force[1], limit[1]);
-    force[2] = freeflyer_f64_cut(force[2], limit[2]);
-    force[3] = freeflyer_f64_cut(force[3], limit[3]);
-    force[4] = freeflyer_f64_cut(force[4], limit[4]);
-    force[5] = freeflyer_f64_cut(force[5], limit[5]);
+    command->force[0] = freeflyer_f64_cut(command->force[0], params->force_limit[0]);
+    command->force[1] = freeflyer_f64_cut(command->force[1], params->force_limit[1]);
+    command->force[2] = freeflyer_f64_cut(command->force[2], params->force_limit[2]);
+    command->force[3] = freeflyer_f64_cut(command->force[3], params->force_limit[3]);
+    command->force[4] = freeflyer_f64_cut(command->force[4], params->force_limit[4]);
+    command->force[5] = freeflyer_f64_cut(command->force[5], params->force_limit[5]);
     return FREEFLYER_F64_SATURATED;
 }
 

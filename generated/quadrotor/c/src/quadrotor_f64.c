@@ -536,31 +536,25 @@ static double quadrotor_f64_share(const double share, const double force,
     return (part < share) ? part : share;
 }
 
-/* A force cut at its limit. */
-static double quadrotor_f64_cut(const double force, const double limit)
-{
-    const double most = (force > 0.0) ? limit : -limit;
-    return (fabs(force) <= limit) ? force : most;
-}
-
-/* The force within its limits, shrunk as a whole, so that its direction stays. */
+/* The force shrunk as a whole, so that its direction stays: by the least share, less what rounding
+   may add. Of NaN, of infinity and of a negative limit comes nothing that is within. */
 static quadrotor_f64_status quadrotor_f64_saturate(const quadrotor_f64_params *params,
         quadrotor_f64_command *command)
 {
-    double *const force = command->force;
-    const double *const limit = params->force_limit;
     double share = 1.0;
-    if (!(isfinite(force[0]) && limit[0] > 0.0 && isfinite(force[1]) && limit[1] > 0.0
-            && isfinite(force[2]) && limit[2] > 0.0)) {
+    share = quadrotor_f64_share(share, command->force[0], params->force_limit[0]);
+    share = quadrotor_f64_share(share, command->force[1], params->force_limit[1]);
+    share = quadrotor_f64_share(share, command->force[2], params->force_limit[2]);
+    share = share*0.9999999999999996;
+    command->force[0] = command->force[0]*share;
+    command->force[1] = command->force[1]*share;
+    command->force[2] = command->force[2]*share;
+    if (!(fabs(command->force[0]) <= params->force_limit[0]
+            && fabs(command->force[1]) <= params->force_limit[1]
+            && fabs(command->force[2]) <= params->force_limit[2])) {
         quadrotor_f64_nothing(command);
         return QUADROTOR_F64_NONFINITE_INPUT;
     }
-    share = quadrotor_f64_share(share, force[0], limit[0]);
-    share = quadrotor_f64_share(share, force[1], limit[1]);
-    share = quadrotor_f64_share(share, force[2], limit[2]);
-    force[0] = quadrotor_f64_cut(force[0]*share, limit[0]);
-    force[1] = quadrotor_f64_cut(force[1]*share, limit[1]);
-    force[2] = quadrotor_f64_cut(force[2]*share, limit[2]);
     return QUADROTOR_F64_SATURATED;
 }
 
