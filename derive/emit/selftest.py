@@ -14,9 +14,9 @@ from fractions import Fraction
 from itertools import cycle
 from typing import Any
 
+from derive.emit.layout import fold
 from derive.emit.literal import exact, nearest
 from derive.emit.program import ERROR, PAST, Given, Limit, Routine, bits, limited, pack, run
-from derive.emit.render import fold
 from derive.emit.side import axis, steps
 from derive.emit.status import FIRST_BAD, STATUSES
 
