@@ -13,8 +13,9 @@ from typing import Any
 import jinja2
 
 from derive.emit.condition import conditions
-from derive.emit.layout import FILTERS
+from derive.emit import layout, statement
 from derive.emit.literal import c_literal, decimal
+from derive.emit.rows import rows
 from derive.emit.target import SCALARS, TARGETS, Target
 
 ABOUT = {
@@ -25,6 +26,9 @@ ABOUT = {
     "side": "which way round is taken, kept from call to call; all zero to begin with",
 }
 """What the structs of an emitted header are for."""
+
+GUARDS = {"c99": conditions, "numpy": rows}
+"""Target -> what its guard compares, made of all the rest that its templates read."""
 
 
 @cache
@@ -41,7 +45,7 @@ def environment() -> jinja2.Environment:
         autoescape=False,
         optimized=False,  # costs more than it saves: a template is rendered twice at most
     )
-    env.filters.update(FILTERS)
+    env.filters.update(layout.FILTERS | statement.FILTERS)
     return env
 
 
@@ -64,8 +68,7 @@ def render(
             **spelled(scalar, target, values),
             **(tests or {}).get(scalar, {}),
         }
-        if target.name == "c99":
-            context |= conditions(context)
+        context |= GUARDS[target.name](context)
         for file in (one for one in target.files if tests or not one.is_test):
             path = file.path.format(name=values["name"], scalar=scalar)
             texts[path] = environment().get_template(file.template).render(context)
