@@ -12,8 +12,8 @@ from typing import Any
 
 import jinja2
 
-from derive.emit.condition import conditions
 from derive.emit import layout, statement
+from derive.emit.condition import conditions
 from derive.emit.literal import c_literal, decimal
 from derive.emit.rows import rows
 from derive.emit.target import SCALARS, TARGETS, Target
