@@ -117,7 +117,7 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     ),
     "a share that is not the least": (
         SHARED,
-        first(r"return \(part < share\) \? part", "return part ? part"),
+        first(r"return \(a < b\) \? a", "return (a > b) ? a"),
     ),
     "a limit that is no number": (
         SHARED,
