@@ -701,7 +701,8 @@ cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *p
     if (!(params->k_s >= CUBESAT_3U_F32_MIN_GAIN && params->k_s <= CUBESAT_3U_F32_MAX_RATE)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= CUBESAT_3U_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= CUBESAT_3U_F32_LEAST_DRIFT && params->max_drift <=
+            CUBESAT_3U_F32_MOST_DRIFT)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

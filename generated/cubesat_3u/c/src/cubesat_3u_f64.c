@@ -713,7 +713,8 @@ cubesat_3u_f64_status cubesat_3u_f64_check_params(const cubesat_3u_f64_params *p
     if (!(params->k_s >= CUBESAT_3U_F64_MIN_GAIN && params->k_s <= CUBESAT_3U_F64_MAX_RATE)) {
         return CUBESAT_3U_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= CUBESAT_3U_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= CUBESAT_3U_F64_LEAST_DRIFT && params->max_drift <=
+            CUBESAT_3U_F64_MOST_DRIFT)) {
         return CUBESAT_3U_F64_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

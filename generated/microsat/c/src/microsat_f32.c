@@ -693,7 +693,8 @@ microsat_f32_status microsat_f32_check_params(const microsat_f32_params *params)
     if (!(params->k_s >= MICROSAT_F32_MIN_GAIN && params->k_s <= MICROSAT_F32_MAX_RATE)) {
         return MICROSAT_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= MICROSAT_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= MICROSAT_F32_LEAST_DRIFT && params->max_drift <=
+            MICROSAT_F32_MOST_DRIFT)) {
         return MICROSAT_F32_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

@@ -705,7 +705,8 @@ microsat_f64_status microsat_f64_check_params(const microsat_f64_params *params)
     if (!(params->k_s >= MICROSAT_F64_MIN_GAIN && params->k_s <= MICROSAT_F64_MAX_RATE)) {
         return MICROSAT_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= MICROSAT_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= MICROSAT_F64_LEAST_DRIFT && params->max_drift <=
+            MICROSAT_F64_MOST_DRIFT)) {
         return MICROSAT_F64_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

@@ -643,7 +643,8 @@ quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *para
     if (!(params->k_s >= QUADROTOR_F32_MIN_GAIN && params->k_s <= QUADROTOR_F32_MAX_RATE)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= QUADROTOR_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= QUADROTOR_F32_LEAST_DRIFT && params->max_drift <=
+            QUADROTOR_F32_MOST_DRIFT)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

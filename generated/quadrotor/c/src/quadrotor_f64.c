@@ -656,7 +656,8 @@ quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *para
     if (!(params->k_s >= QUADROTOR_F64_MIN_GAIN && params->k_s <= QUADROTOR_F64_MAX_RATE)) {
         return QUADROTOR_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= QUADROTOR_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= QUADROTOR_F64_LEAST_DRIFT && params->max_drift <=
+            QUADROTOR_F64_MOST_DRIFT)) {
         return QUADROTOR_F64_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {
