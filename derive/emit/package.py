@@ -157,6 +157,7 @@ def _bounds(
         "MAX_INPUT": True,
         "MAX_ENTRY": any(facts["is_bounded"]),
         "MAX_REACH": not all(facts["is_bounded"]),
+        "LEAST_DRIFT": has_drift,
         "MOST_DRIFT": has_drift,
         "NEAR_CUT": has_cut and not facts["has_side"],
         "HYSTERESIS": facts["has_side"],

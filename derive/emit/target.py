@@ -26,7 +26,8 @@ class Scalar:
     max_entry: largest magnitude of an entry of the error that the group keeps at most 1
     max_reach: largest magnitude of any other entry of the error; max_own: on a user's group
     max_drift: distance of the error from the group that is accepted by default
-    most_drift: largest such distance that may be asked for
+    least_drift, most_drift: least and largest such distance that may be asked for: rounding
+        alone, of two good rotations and of the steps, leads up to 33.4 units of roundoff off
     near_cut:  clearance below which a command is flagged NEAR_CUT_LOCUS
     refused:   clearance below which a law with a pole is refused
     max_param: largest inertia entry, force limit, and gain that is no rate
@@ -42,6 +43,7 @@ class Scalar:
     max_reach: Fraction
     max_own: Fraction
     max_drift: Fraction
+    least_drift: Fraction
     most_drift: Fraction
     near_cut: Fraction
     refused: Fraction
@@ -72,6 +74,7 @@ class Scalar:
             ),
             ("MAX_ENTRY", self.max_entry, "of an entry of the error that the group keeps at 1"),
             ("MAX_REACH", reach, "of any other entry of the error"),
+            ("LEAST_DRIFT", self.least_drift, "least max_drift that may be asked for"),
             ("MOST_DRIFT", self.most_drift, "largest max_drift that may be asked for"),
             ("NEAR_CUT", self.near_cut, "clearance below which NEAR_CUT_LOCUS is flagged"),
             side,
@@ -87,10 +90,10 @@ def _scalar(name: str, type_: str, suffix: str, *bounds: str) -> Scalar:
 
 
 SCALARS = {
-    "f32": _scalar("f32", "float", "f", "1e6", "1.01", "4e6", "1e3", "1e-4", "0.1", "1e-3", "1e-5",
-                   "1e9", "1e-9", "1e4", "4194303/4194304"),
-    "f64": _scalar("f64", "double", "", "1e6", "1.01", "4e6", "1e6", "1e-6", "0.1", "1e-3", "1e-8",
-                   "1e9", "1e-9", "1e4", "2251799813685247/2251799813685248"),
+    "f32": _scalar("f32", "float", "f", "1e6", "1.01", "4e6", "1e3", "1e-4", "2e-6", "0.1", "1e-3",
+                   "1e-5", "1e9", "1e-9", "1e4", "4194303/4194304"),
+    "f64": _scalar("f64", "double", "", "1e6", "1.01", "4e6", "1e6", "1e-6", "1e-14", "0.1", "1e-3",
+                   "1e-8", "1e9", "1e-9", "1e4", "2251799813685247/2251799813685248"),
 }  # fmt: skip
 
 

@@ -91,6 +91,7 @@ def load(path: Path) -> Vehicle:
     controller = top.choice("controller", tuple(CONTROLLERS), DEFAULT_CONTROLLER)
     gains, emit = gains_of(top, controller), top.table("emit")
     emit.only(EMIT_KEYS, HOMES)
+    scalars = emit.choices("scalars", SCALARS)
     name = top.word("name", 'a name for the vehicle, such as "cubesat"')
     check_name(top.file, name)
     group, own = spelled(top)
@@ -105,13 +106,13 @@ def load(path: Path) -> Vehicle:
         controller=controller,
         inertia=inertia,
         gains=gains,
-        scalars=emit.choices("scalars", SCALARS),
+        scalars=scalars,
         targets=emit.choices("targets", TARGETS),
         source=str(path),
         own=own,
         options=tuple(option for option in OPTIONS if option in options),
         is_in_fluid=is_in_fluid,
-        limits=limits(top, len(inertia)),
+        limits=limits(top, len(inertia), scalars),
         hysteresis=hysteresis(top, group, controller, law),
         experiment=experiment(top, len(inertia)),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -10,7 +11,11 @@ from derive.vehicle.number import number
 from derive.vehicle.text import Table, described
 
 LEAST, MOST = Fraction(1, 10**6), Fraction(10**9)
-LEAST_DRIFT, MOST_DRIFT = Fraction(1, 10**6), Fraction(1, 10)
+WORDS = {"f32": "2e-6", "f64": "1e-14"}
+LEAST_DRIFT = {scalar: Fraction(word) for scalar, word in WORDS.items()}
+"""By scalar: the error of two correctly rounded elements is no nearer to the group than that."""
+
+MOST_DRIFT = Fraction(1, 10)
 WAYS = ("direction", "axis")
 
 
@@ -29,8 +34,8 @@ class Limits:
     drift: Fraction | None = None
 
 
-def limits(top: Table, n: int) -> Limits:
-    """The limits of a vehicle of dimension n. Raises InputError."""
+def limits(top: Table, n: int, scalars: Sequence[str]) -> Limits:
+    """The limits of a vehicle of dimension n, emitted in some scalars. Raises InputError."""
     table = top.table("limits")
     table.only(LIMIT_KEYS, HOMES)
     if "saturation" in table.values and "force" not in table.values:
@@ -38,7 +43,7 @@ def limits(top: Table, n: int) -> Limits:
         raise table.fault("saturation", "a force to be limited", "no force", remedy)
     force = _force(table, n) if "force" in table.values else ()
     way = table.choice("saturation", WAYS, WAYS[0]) if force else ""
-    return Limits(force, way, _drift(table) if "drift" in table.values else None)
+    return Limits(force, way, _drift(table, scalars) if "drift" in table.values else None)
 
 
 def _force(table: Table, n: int) -> tuple[Fraction, ...]:
@@ -59,10 +64,15 @@ def _force(table: Table, n: int) -> tuple[Fraction, ...]:
     return tuple(found)
 
 
-def _drift(table: Table) -> Fraction:
+def _drift(table: Table, scalars: Sequence[str]) -> Fraction:
+    """A number that the params of every scalar may hold."""
     value = number(table.values["drift"])
-    if value is None or not LEAST_DRIFT <= value <= MOST_DRIFT:
-        found = described(table.values["drift"])
-        remedy = "write drift = 1e-4, or leave it out for 1e-4 in float and 1e-6 in double"
-        raise table.fault("drift", "a number from 1e-6 to 0.1", found, remedy)
-    return value
+    coarsest = max(scalars, key=LEAST_DRIFT.__getitem__)
+    if value is not None and LEAST_DRIFT[coarsest] <= value <= MOST_DRIFT:
+        return value
+    expected = f"a number from {WORDS[coarsest]} to 0.1"
+    remedy = "write drift = 1e-4, or leave it out for 1e-4 in float and 1e-6 in double"
+    if value is not None and any(LEAST_DRIFT[one] <= value <= MOST_DRIFT for one in scalars):
+        expected += f", since rounding to {coarsest} alone leads that far off the group"
+        remedy += ', or write scalars = ["f64"] below [emit]'
+    raise table.fault("drift", expected, described(table.values["drift"]), remedy)

@@ -28,13 +28,15 @@ class Backend:
 
     run gives the outputs by name, (N, n), and of control the status (N,) besides, of no side
     chosen before;
-    check_params the status of parameters given by their names in C, the others being defaults.
+    check_params the status of parameters given by their names in C, the others being defaults;
+    has_drift whether a distance from the group is one of them.
     """
 
     name: str
     scalar: str
     run: Callable[..., Outputs]
     check_params: Callable[[Mapping[str, Any]], int]
+    has_drift: bool = False
 
 
 def numpy_backend(module: Any, vehicle: Plant) -> Backend:
@@ -51,7 +53,7 @@ def numpy_backend(module: Any, vehicle: Plant) -> Backend:
         renamed = {python_name(name): value for name, value in given.items()}
         return int(module.check_params(module.DEFAULTS._replace(**renamed)))
 
-    return Backend("numpy f64", "f64", run, check_params)
+    return Backend("numpy f64", "f64", run, check_params, "max_drift" in module.Params._fields)
 
 
 def call(
@@ -91,7 +93,7 @@ def c_backend(library: Library, scalar: str, vehicle: Plant) -> Backend:
     def check_params(given: Mapping[str, Any]) -> int:
         return int(library.check_params(given))
 
-    return Backend(f"C {scalar}", scalar, run, check_params)
+    return Backend(f"C {scalar}", scalar, run, check_params, "max_drift" in library.defaults)
 
 
 def backends(

@@ -159,6 +159,7 @@ def _judges_params(subject: Subject, backend: Backend) -> Check:
     ]
     bad = (0.0, -1.0, np.inf)
     params += [({name: value}, "BAD_PARAMS") for name in gains for value in bad]
+    params += _drifts(backend.scalar) if backend.has_drift else []
     for i in np.flatnonzero(diagonal):
         negative = np.where(np.arange(len(upper)) == i, -upper, upper)
         params.append(({"inertia": negative}, "BAD_PARAMS"))
@@ -168,3 +169,12 @@ def _judges_params(subject: Subject, backend: Backend) -> Check:
     wrong = [int(backend.check_params(given)) != VALUE[status] for given, status in params]
     limit = LIMITS["rows"]
     return Check("check_params", backend.name, float(sum(wrong)), limit, len(wrong))
+
+
+def _drifts(scalar: str) -> list[tuple[dict[str, Any], str]]:
+    """Distances from the group from the least to the most, and neither below nor above."""
+    kind = SCALARS[scalar]
+    least, most = float(kind.least_drift), float(kind.most_drift)
+    good = [({"max_drift": value}, "OK") for value in (least, most)]
+    bad = (np.nan, 0.0, -least, least / 2, 2 * most)
+    return good + [({"max_drift": value}, "BAD_PARAMS") for value in bad]

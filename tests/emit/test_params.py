@@ -19,7 +19,7 @@ from tests.emit.subjects import ALIKE, FILES, SPARSE, Array
 
 BAD = 19
 LIMIT, RATE, MOST_DRIFT = 1e9, 1e4, 0.1
-LEAST = 1e-9
+LEAST, LEAST_DRIFT = 1e-9, {"f32": 2e-6, "f64": 1e-14}
 FORMS = [*ALIKE, *(v for v in SPARSE if v.law == "log")]
 NAN, INF = float("nan"), float("inf")
 
@@ -37,9 +37,9 @@ def largest(vehicle: Vehicle, name: str) -> float:
     return MOST_DRIFT if name == "max_drift" else RATE if units.get(name) == "1/s" else LIMIT
 
 
-def least(name: str) -> float:
-    """And at least; a distance may be any that is more than none."""
-    return 1e-30 if name == "max_drift" else LEAST
+def least(scalar: str, name: str) -> float:
+    """And at least; a distance what rounding alone may lead to."""
+    return LEAST_DRIFT[scalar] if name == "max_drift" else LEAST
 
 
 def upper(matrix: Array) -> Array:
@@ -52,7 +52,7 @@ def changed(values: Array, index: int | tuple[int, ...], value: float) -> Array:
     return copy
 
 
-def refused(vehicle: Vehicle, defaults: dict[str, Array]) -> Iterator[Changed]:
+def refused(vehicle: Vehicle, defaults: dict[str, Array], scalar: str) -> Iterator[Changed]:
     inertia = defaults["inertia"].astype(float)
     for index, present in enumerate(vehicle.pattern):
         for value in (NAN, INF, -INF, 2 * LIMIT, -2 * LIMIT):
@@ -63,7 +63,7 @@ def refused(vehicle: Vehicle, defaults: dict[str, Array]) -> Iterator[Changed]:
                 yield name, {"inertia": changed(inertia, index, value)}
     for name in defaults.keys() - {"inertia"}:
         bad = [0.0, -0.0, -1.0, -LIMIT, NAN, INF, -INF, 1.001 * largest(vehicle, name), 2 * LIMIT]
-        bad += [0.999 * LEAST] if name != "max_drift" else []
+        bad += [0.999 * least(scalar, name)]
         kept = defaults[name].astype(float)
         for value, place in product(bad, np.ndindex(kept.shape)):
             yield f"{name}{list(place)} = {value}", {name: changed(kept, place, value)}
@@ -97,7 +97,7 @@ def test_bad_parameters_are_refused(folder: Path, vehicle: Vehicle, scalar: str)
     built = subjects.library(vehicle, scalar, folder)
     accepted = [
         name
-        for name, params in refused(vehicle, built.defaults)
+        for name, params in refused(vehicle, built.defaults, scalar)
         if built.check_params(params=params) != BAD
     ]
     assert accepted == []
@@ -110,9 +110,11 @@ def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: st
     n, pattern = len(vehicle.inertia), np.array(vehicle.pattern)
     assert built.check_params() == 0
     told = {"MAX_PARAM": LIMIT, "MIN_GAIN": LEAST, "MAX_RATE": RATE, "MOST_DRIFT": MOST_DRIFT}
+    told["LEAST_DRIFT"] = LEAST_DRIFT[scalar]
     assert built.constants.items() >= {"MAX_PARAM": LIMIT, "MIN_GAIN": LEAST}.items()
     assert all(value == told.get(name, value) for name, value in built.constants.items())
-    assert ("MOST_DRIFT" in built.constants) == ("max_drift" in built.defaults)
+    for name in ("LEAST_DRIFT", "MOST_DRIFT"):
+        assert (name in built.constants) == ("max_drift" in built.defaults)
     rates = [name for name, _ in vehicle.gains if largest(vehicle, name) == RATE]
     assert ("MAX_RATE" in built.constants) == bool(rates)
     random = np.random.default_rng(5)
@@ -123,7 +125,7 @@ def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: st
         full[np.triu_indices(n)] = matrix
         assert np.linalg.eigvalsh(full, "U").min() > 0
         for others in (built.defaults, ends(vehicle, built.defaults, largest),
-                       ends(vehicle, built.defaults, lambda _, name: least(name))):  # fmt: skip
+                       ends(vehicle, built.defaults, lambda _, name: least(scalar, name))):  # fmt: skip
             assert built.check_params(params={**others, "inertia": matrix}) == 0
 
 
@@ -164,7 +166,7 @@ def test_numpy_and_c_judge_parameters_alike(folder: Path, vehicle: Vehicle) -> N
     made = load_module(folder / vehicle.name / f"numpy/{vehicle.name}.py")
     assert made.check_params().shape == ()
     assert made.check_params() == made.OK
-    for name, params in refused(vehicle, built.defaults):
+    for name, params in refused(vehicle, built.defaults, "f64"):
         assert made.check_params(in_numpy(made, params)) == BAD, name
     many = drawn(vehicle, built.defaults, 4000)
     got = made.check_params(in_numpy(made, many))

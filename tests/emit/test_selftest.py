@@ -106,7 +106,8 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     "a gain that may be too small": (PAPER, first(r"lambda >= \w+", "lambda > 0.0F")),
     "a gain that may be too large": (PAPER, first(r"k_s <= \w+_MAX_RATE", "k_s <= 2.0e4F")),
     "a gain that may be its least no more": (PAPER, first(r"lambda >= ", "lambda > ")),
-    "a drift of nothing": (PAPER, first(r"max_drift > 0\.0F", "max_drift >= 0.0F")),
+    "a drift too small": (PAPER, first(r"max_drift >= \w+", "max_drift > 0.0F")),
+    "a drift that may be its least no more": (PAPER, first(r"max_drift >= ", "max_drift > ")),
     "an inertia that is not judged": (PAPER, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
     "pointers that are not judged": (PAPER, first(r"\|\| reference == NULL", "|| 0")),
     "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "1")),
@@ -116,7 +117,7 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     ),
     "a share that is not the least": (
         SHARED,
-        first(r"return \(part < share\) \? part", "return part ? part"),
+        first(r"return \(a < b\) \? a", "return (a > b) ? a"),
     ),
     "a limit that is no number": (
         SHARED,

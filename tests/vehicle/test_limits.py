@@ -40,7 +40,9 @@ SMALL = Fraction(1, 10**6)
         ('force = 1\nsaturation = "axis"', Limits((Fraction(1),) * 3, "axis")),
         ('saturation = "direction"\nforce = 1', Limits((Fraction(1),) * 3, "direction")),
         ("drift = 0.1", Limits(drift=Fraction(1, 10))),
-        ("drift = 1e-6", Limits(drift=SMALL)),
+        ("drift = 2e-6", Limits(drift=2 * SMALL)),
+        ('drift = 2e-6\n[emit]\nscalars = ["f32"]', Limits(drift=2 * SMALL)),
+        ('drift = 1e-14\n[emit]\nscalars = ["f64"]', Limits(drift=Fraction(1, 10**14))),
         ("drift = 1e-3\nforce = 1", Limits((Fraction(1),) * 3, "direction", SMALL * 1000)),
     ],
 )
@@ -61,7 +63,7 @@ def test_one_limit_stands_for_as_many_as_the_inertia_has_rows(tmp_path: Path) ->
 
 FORCE = "3 numbers, or one for all, each from 1e-6 to 1e9, in N m and N"
 GIVES = "write what the actuators give in either direction, without quotes"
-DRIFT = "a number from 1e-6 to 0.1"
+DRIFT = "a number from 2e-6 to 0.1"
 FINE = "write drift = 1e-4, or leave it out for 1e-4 in float and 1e-6 in double"
 
 
@@ -100,7 +102,7 @@ def test_a_force_that_is_none_is_told(tmp_path: Path, value: str, where: str, fo
     [
         ("0", "0"),
         ("-1e-3", "-0.001"),
-        ("9.9e-7", "9.9e-7"),
+        ("9.9e-15", "9.9e-15"),
         ("0.11", "0.11"),
         ("1", "1"),
         ("nan", "nan"),
@@ -114,6 +116,27 @@ def test_a_drift_that_is_none_is_told(tmp_path: Path, value: str, found: str) ->
     error = refusal(tmp_path, f"drift = {value}")
     assert error.key == "limits.drift"
     assert (error.expected, error.found, error.remedy) == (DRIFT, found, FINE)
+
+
+@pytest.mark.parametrize(
+    ("value", "scalars", "least"),
+    [
+        ("1.9e-6", '["f32", "f64"]', "2e-6"),
+        ("1e-14", '["f64", "f32"]', "2e-6"),
+        ("1.9e-6", '["f32"]', "2e-6"),
+        ("9.9e-15", '["f64"]', "1e-14"),
+    ],
+)
+def test_a_drift_that_rounding_alone_exceeds_is_told(
+    tmp_path: Path, value: str, scalars: str, least: str
+) -> None:
+    """What is too near for float may do for double, and the message says so."""
+    error = refusal(tmp_path, f"drift = {value}\n[emit]\nscalars = {scalars}")
+    more = ", since rounding to f32 alone leads that far off the group" if "," in scalars else ""
+    assert error.expected == f"a number from {least} to 0.1{more}"
+    only = ', or write scalars = ["f64"] below [emit]'
+    assert Fraction(error.found) == Fraction(value)
+    assert error.remedy == FINE + (only if more else "")
 
 
 @pytest.mark.parametrize(
@@ -164,7 +187,8 @@ def test_the_bounds_are_those_of_the_emitted_params() -> None:
     for scalar in SCALARS.values():
         assert scalar.min_gain <= LEAST
         assert scalar.max_param >= MOST
-        assert LEAST_DRIFT <= scalar.max_drift <= MOST_DRIFT == scalar.most_drift
+        assert scalar.least_drift == LEAST_DRIFT[scalar.name] < scalar.max_drift
+        assert scalar.max_drift <= MOST_DRIFT == scalar.most_drift
 
 
 @pytest.mark.parametrize("group", ["SO3", "SE3", "R2"])

@@ -155,7 +155,9 @@ def test_limits_are_those_of_the_reader() -> None:
     assert one == each["items"] == {"$ref": "#/$defs/force"}
     assert each["maxItems"] == vehicle_number.LARGEST_DIMENSION
     drift = keys["drift"]["minimum"], keys["drift"]["maximum"]
-    assert drift == bounds(vehicle_limits.LEAST_DRIFT, vehicle_limits.MOST_DRIFT)
+    least = vehicle_limits.LEAST_DRIFT
+    assert drift == bounds(min(least.values()), vehicle_limits.MOST_DRIFT)
+    assert f"at least {vehicle_limits.WORDS['f32']} where float" in keys["drift"]["description"]
     assert tuple(keys["saturation"]["enum"]) == vehicle_limits.WAYS
     assert keys["saturation"]["default"] == vehicle_limits.WAYS[0]
     assert KEYS["limits"]["dependentRequired"] == {"saturation": ["force"]}

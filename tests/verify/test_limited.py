@@ -82,7 +82,7 @@ def test_without_a_limit_any_force_must_stay() -> None:
 C, PYTHON = "c/src/{}_f64.c", "numpy/{}.py"
 HARMS = [
     ("direction", C, "limit/size", "limit*size"),
-    ("direction", C, "(part < share) ? part : share", "part"),
+    ("direction", C, "(a < b) ? a : b", "a"),
     ("direction", C, "command->force[1]*share", "command->force[1]"),
     ("direction", C, "force[0], params->force_limit[0])", "force[0], params->force_limit[0]*0.999)"),
     ("direction", C, "share*0.", "share*0.7*0."),

@@ -144,6 +144,8 @@ EDITS = (
     ("control: sign of the force", "return paper_so3_f64_verdict(",
      "command->force[0] = -command->force[0]; return paper_so3_f64_verdict(", 0),
     ("control: any drift will do", "< params->max_drift*params->max_drift", "<= 1e9", 0),
+    ("check_params: any drift will do", "max_drift >= PAPER_SO3_F64_LEAST_DRIFT &&",
+     "max_drift > 0.0 &&", 0),
     ("check_params: first pivot", "pivot[0] = inertia_0;", "pivot[0] = 1.0;", 0),
 )  # fmt: skip
 """What, the emitted C as it is, as it is broken, and which occurrence of it."""

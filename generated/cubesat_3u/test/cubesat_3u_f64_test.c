@@ -1057,8 +1057,8 @@ static int params_failures(void)
         failures += range_failures(&params, &params.force_limit[i], CUBESAT_3U_F64_MIN_GAIN/2.0,
                 CUBESAT_3U_F64_MIN_GAIN, CUBESAT_3U_F64_MAX_PARAM);
     }
-    failures += range_failures(&params, &params.max_drift, 0.0, CUBESAT_3U_F64_MOST_DRIFT/1024.0,
-            CUBESAT_3U_F64_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, CUBESAT_3U_F64_LEAST_DRIFT/2.0,
+            CUBESAT_3U_F64_LEAST_DRIFT, CUBESAT_3U_F64_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -cubesat_3u_f64_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

@@ -661,8 +661,8 @@ static int params_failures(void)
         failures += range_failures(&params, &params.force_limit[i], FREEFLYER_F32_MIN_GAIN/2.0F,
                 FREEFLYER_F32_MIN_GAIN, FREEFLYER_F32_MAX_PARAM);
     }
-    failures += range_failures(&params, &params.max_drift, 0.0F, FREEFLYER_F32_MOST_DRIFT/1024.0F,
-            FREEFLYER_F32_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, FREEFLYER_F32_LEAST_DRIFT/2.0F,
+            FREEFLYER_F32_LEAST_DRIFT, FREEFLYER_F32_MOST_DRIFT);
     for (i = 0; i < 6; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -freeflyer_f32_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

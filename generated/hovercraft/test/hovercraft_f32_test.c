@@ -617,8 +617,8 @@ static int params_failures(void)
     failures += range_failures(&params, &params.k_s, HOVERCRAFT_F32_MIN_GAIN/2.0F,
             HOVERCRAFT_F32_MIN_GAIN,
             HOVERCRAFT_F32_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0F, HOVERCRAFT_F32_MOST_DRIFT/1024.0F,
-            HOVERCRAFT_F32_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, HOVERCRAFT_F32_LEAST_DRIFT/2.0F,
+            HOVERCRAFT_F32_LEAST_DRIFT, HOVERCRAFT_F32_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -hovercraft_f32_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

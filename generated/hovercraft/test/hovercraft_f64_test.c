@@ -620,8 +620,8 @@ static int params_failures(void)
     failures += range_failures(&params, &params.k_s, HOVERCRAFT_F64_MIN_GAIN/2.0,
             HOVERCRAFT_F64_MIN_GAIN,
             HOVERCRAFT_F64_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0, HOVERCRAFT_F64_MOST_DRIFT/1024.0,
-            HOVERCRAFT_F64_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, HOVERCRAFT_F64_LEAST_DRIFT/2.0,
+            HOVERCRAFT_F64_LEAST_DRIFT, HOVERCRAFT_F64_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -hovercraft_f64_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

@@ -866,8 +866,8 @@ static int params_failures(void)
     failures += range_failures(&params, &params.k_s, PAPER_SO3_F32_MIN_GAIN/2.0F,
             PAPER_SO3_F32_MIN_GAIN,
             PAPER_SO3_F32_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0F, PAPER_SO3_F32_MOST_DRIFT/1024.0F,
-            PAPER_SO3_F32_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, PAPER_SO3_F32_LEAST_DRIFT/2.0F,
+            PAPER_SO3_F32_LEAST_DRIFT, PAPER_SO3_F32_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -paper_so3_f32_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

@@ -902,9 +902,8 @@ static int params_failures(void)
     failures += range_failures(&params, &params.k_Omega, PAPER_SO3_PD_PLUS_F64_MIN_GAIN/2.0,
             PAPER_SO3_PD_PLUS_F64_MIN_GAIN,
             PAPER_SO3_PD_PLUS_F64_MAX_PARAM);
-    failures += range_failures(&params, &params.max_drift, 0.0,
-            PAPER_SO3_PD_PLUS_F64_MOST_DRIFT/1024.0,
-            PAPER_SO3_PD_PLUS_F64_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, PAPER_SO3_PD_PLUS_F64_LEAST_DRIFT/2.0,
+            PAPER_SO3_PD_PLUS_F64_LEAST_DRIFT, PAPER_SO3_PD_PLUS_F64_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -paper_so3_pd_plus_f64_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

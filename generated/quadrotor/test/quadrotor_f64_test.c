@@ -802,8 +802,8 @@ static int params_failures(void)
         failures += range_failures(&params, &params.force_limit[i], QUADROTOR_F64_MIN_GAIN/2.0,
                 QUADROTOR_F64_MIN_GAIN, QUADROTOR_F64_MAX_PARAM);
     }
-    failures += range_failures(&params, &params.max_drift, 0.0, QUADROTOR_F64_MOST_DRIFT/1024.0,
-            QUADROTOR_F64_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, QUADROTOR_F64_LEAST_DRIFT/2.0,
+            QUADROTOR_F64_LEAST_DRIFT, QUADROTOR_F64_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -quadrotor_f64_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

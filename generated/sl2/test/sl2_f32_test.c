@@ -470,8 +470,8 @@ static int params_failures(void)
             SL2_F32_MAX_RATE);
     failures += range_failures(&params, &params.k_s, SL2_F32_MIN_GAIN/2.0F, SL2_F32_MIN_GAIN,
             SL2_F32_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0F, SL2_F32_MOST_DRIFT/1024.0F,
-            SL2_F32_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, SL2_F32_LEAST_DRIFT/2.0F,
+            SL2_F32_LEAST_DRIFT, SL2_F32_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -sl2_f32_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

@@ -470,8 +470,8 @@ static int params_failures(void)
             SL2_F64_MAX_RATE);
     failures += range_failures(&params, &params.k_s, SL2_F64_MIN_GAIN/2.0, SL2_F64_MIN_GAIN,
             SL2_F64_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0, SL2_F64_MOST_DRIFT/1024.0,
-            SL2_F64_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, SL2_F64_LEAST_DRIFT/2.0,
+            SL2_F64_LEAST_DRIFT, SL2_F64_MOST_DRIFT);
     for (i = 0; i < 3; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -sl2_f64_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

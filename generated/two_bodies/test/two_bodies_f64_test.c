@@ -949,8 +949,8 @@ static int params_failures(void)
     failures += range_failures(&params, &params.k_s, TWO_BODIES_F64_MIN_GAIN/2.0,
             TWO_BODIES_F64_MIN_GAIN,
             TWO_BODIES_F64_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0, TWO_BODIES_F64_MOST_DRIFT/1024.0,
-            TWO_BODIES_F64_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, TWO_BODIES_F64_LEAST_DRIFT/2.0,
+            TWO_BODIES_F64_LEAST_DRIFT, TWO_BODIES_F64_MOST_DRIFT);
     for (i = 0; i < 9; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -two_bodies_f64_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

@@ -15,6 +15,7 @@ import numpy as np
 MAX_INPUT = 1.0e6  # largest velocity, rate of one, and number the group does not bound
 MAX_ENTRY = 1.01  # of an entry of the error that the group keeps at 1
 MAX_REACH = 4.0e6  # of any other entry of the error
+LEAST_DRIFT = 1.0e-14  # least max_drift that may be asked for
 MOST_DRIFT = 0.1  # largest max_drift that may be asked for
 NEAR_CUT = 0.001  # clearance below which NEAR_CUT_LOCUS is flagged
 MAX_PARAM = 1.0e9  # largest inertia entry, force limit, or other gain
@@ -130,7 +131,7 @@ def check_params(params: Params = DEFAULTS) -> Array:
         good = good & ((gains[0] >= MIN_GAIN) & (gains[0] <= MAX_RATE))[..., 0]
         good = good & ((gains[1] >= MIN_GAIN) & (gains[1] <= MAX_RATE))[..., 0]
         drift = _real("max_drift", params.max_drift, ())
-        good = good & ((drift > 0.0) & (drift <= MOST_DRIFT))[..., 0]
+        good = good & ((drift >= LEAST_DRIFT) & (drift <= MOST_DRIFT))[..., 0]
     return np.where(good, OK, BAD_PARAMS)
 
 

@@ -740,8 +740,8 @@ static int params_failures(void)
     failures += range_failures(&params, &params.k_s, UNDERWATER_F32_MIN_GAIN/2.0F,
             UNDERWATER_F32_MIN_GAIN,
             UNDERWATER_F32_MAX_RATE);
-    failures += range_failures(&params, &params.max_drift, 0.0F, UNDERWATER_F32_MOST_DRIFT/1024.0F,
-            UNDERWATER_F32_MOST_DRIFT);
+    failures += range_failures(&params, &params.max_drift, UNDERWATER_F32_LEAST_DRIFT/2.0F,
+            UNDERWATER_F32_LEAST_DRIFT, UNDERWATER_F32_MOST_DRIFT);
     for (i = 0; i < 6; i++) { /* no longer positive definite */
         params.inertia[diagonal[i]] = -underwater_f32_defaults.inertia[diagonal[i]];
         failures += is_taken(&params);

@@ -555,13 +555,17 @@ static cubesat_3u_f32_status cubesat_3u_f32_refuse(const cubesat_3u_f32_state *s
     return worst;
 }
 
-/* The share of a force that its limit leaves, if that is less than another share. */
-static float cubesat_3u_f32_share(const float share, const float force,
-        const float limit)
+/* The share of a force that its limit leaves: all of it, or less. */
+static float cubesat_3u_f32_share(const float force, const float limit)
 {
     const float size = fabsf(force);
-    const float part = (size > limit) ? limit/size : share;
-    return (part < share) ? part : share;
+    return (size > limit) ? limit/size : 1.0F;
+}
+
+/* The lesser of two shares. */
+static float cubesat_3u_f32_lesser(const float a, const float b)
+{
+    return (a < b) ? a : b;
 }
 
 /* The force shrunk as a whole, so that its direction stays: by the least share, less what rounding
@@ -569,10 +573,11 @@ static float cubesat_3u_f32_share(const float share, const float force,
 static cubesat_3u_f32_status cubesat_3u_f32_saturate(const cubesat_3u_f32_params *params,
         cubesat_3u_f32_command *command)
 {
-    float share = 1.0F;
-    share = cubesat_3u_f32_share(share, command->force[0], params->force_limit[0]);
-    share = cubesat_3u_f32_share(share, command->force[1], params->force_limit[1]);
-    share = cubesat_3u_f32_share(share, command->force[2], params->force_limit[2]);
+    float share = cubesat_3u_f32_share(command->force[0], params->force_limit[0]);
+    share = cubesat_3u_f32_lesser(cubesat_3u_f32_share(command->force[1], params->force_limit[1]),
+            share);
+    share = cubesat_3u_f32_lesser(cubesat_3u_f32_share(command->force[2], params->force_limit[2]),
+            share);
     share = share*0.99999976F;
     command->force[0] = command->force[0]*share;
     command->force[1] = command->force[1]*share;
@@ -696,7 +701,8 @@ cubesat_3u_f32_status cubesat_3u_f32_check_params(const cubesat_3u_f32_params *p
     if (!(params->k_s >= CUBESAT_3U_F32_MIN_GAIN && params->k_s <= CUBESAT_3U_F32_MAX_RATE)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= CUBESAT_3U_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= CUBESAT_3U_F32_LEAST_DRIFT && params->max_drift <=
+            CUBESAT_3U_F32_MOST_DRIFT)) {
         return CUBESAT_3U_F32_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

@@ -567,13 +567,17 @@ static cubesat_3u_f64_status cubesat_3u_f64_refuse(const cubesat_3u_f64_state *s
     return worst;
 }
 
-/* The share of a force that its limit leaves, if that is less than another share. */
-static double cubesat_3u_f64_share(const double share, const double force,
-        const double limit)
+/* The share of a force that its limit leaves: all of it, or less. */
+static double cubesat_3u_f64_share(const double force, const double limit)
 {
     const double size = fabs(force);
-    const double part = (size > limit) ? limit/size : share;
-    return (part < share) ? part : share;
+    return (size > limit) ? limit/size : 1.0;
+}
+
+/* The lesser of two shares. */
+static double cubesat_3u_f64_lesser(const double a, const double b)
+{
+    return (a < b) ? a : b;
 }
 
 /* The force shrunk as a whole, so that its direction stays: by the least share, less what rounding
@@ -581,10 +585,11 @@ static double cubesat_3u_f64_share(const double share, const double force,
 static cubesat_3u_f64_status cubesat_3u_f64_saturate(const cubesat_3u_f64_params *params,
         cubesat_3u_f64_command *command)
 {
-    double share = 1.0;
-    share = cubesat_3u_f64_share(share, command->force[0], params->force_limit[0]);
-    share = cubesat_3u_f64_share(share, command->force[1], params->force_limit[1]);
-    share = cubesat_3u_f64_share(share, command->force[2], params->force_limit[2]);
+    double share = cubesat_3u_f64_share(command->force[0], params->force_limit[0]);
+    share = cubesat_3u_f64_lesser(cubesat_3u_f64_share(command->force[1], params->force_limit[1]),
+            share);
+    share = cubesat_3u_f64_lesser(cubesat_3u_f64_share(command->force[2], params->force_limit[2]),
+            share);
     share = share*0.9999999999999996;
     command->force[0] = command->force[0]*share;
     command->force[1] = command->force[1]*share;
@@ -708,7 +713,8 @@ cubesat_3u_f64_status cubesat_3u_f64_check_params(const cubesat_3u_f64_params *p
     if (!(params->k_s >= CUBESAT_3U_F64_MIN_GAIN && params->k_s <= CUBESAT_3U_F64_MAX_RATE)) {
         return CUBESAT_3U_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= CUBESAT_3U_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= CUBESAT_3U_F64_LEAST_DRIFT && params->max_drift <=
+            CUBESAT_3U_F64_MOST_DRIFT)) {
         return CUBESAT_3U_F64_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

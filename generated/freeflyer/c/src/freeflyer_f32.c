@@ -1227,7 +1227,8 @@ freeflyer_f32_status freeflyer_f32_check_params(const freeflyer_f32_params *para
     if (!(params->k_s >= FREEFLYER_F32_MIN_GAIN && params->k_s <= FREEFLYER_F32_MAX_RATE)) {
         return FREEFLYER_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= FREEFLYER_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= FREEFLYER_F32_LEAST_DRIFT && params->max_drift <=
+            FREEFLYER_F32_MOST_DRIFT)) {
         return FREEFLYER_F32_BAD_PARAMS;
     }
     for (i = 0; i < 6; i++) {

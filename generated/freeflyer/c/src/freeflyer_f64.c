@@ -1264,7 +1264,8 @@ freeflyer_f64_status freeflyer_f64_check_params(const freeflyer_f64_params *para
     if (!(params->k_s >= FREEFLYER_F64_MIN_GAIN && params->k_s <= FREEFLYER_F64_MAX_RATE)) {
         return FREEFLYER_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= FREEFLYER_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= FREEFLYER_F64_LEAST_DRIFT && params->max_drift <=
+            FREEFLYER_F64_MOST_DRIFT)) {
         return FREEFLYER_F64_BAD_PARAMS;
     }
     for (i = 0; i < 6; i++) {

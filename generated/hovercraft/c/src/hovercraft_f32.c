@@ -662,7 +662,8 @@ hovercraft_f32_status hovercraft_f32_check_params(const hovercraft_f32_params *p
     if (!(params->k_s >= HOVERCRAFT_F32_MIN_GAIN && params->k_s <= HOVERCRAFT_F32_MAX_RATE)) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= HOVERCRAFT_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= HOVERCRAFT_F32_LEAST_DRIFT && params->max_drift <=
+            HOVERCRAFT_F32_MOST_DRIFT)) {
         return HOVERCRAFT_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

@@ -686,7 +686,8 @@ hovercraft_f64_status hovercraft_f64_check_params(const hovercraft_f64_params *p
     if (!(params->k_s >= HOVERCRAFT_F64_MIN_GAIN && params->k_s <= HOVERCRAFT_F64_MAX_RATE)) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= HOVERCRAFT_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= HOVERCRAFT_F64_LEAST_DRIFT && params->max_drift <=
+            HOVERCRAFT_F64_MOST_DRIFT)) {
         return HOVERCRAFT_F64_BAD_PARAMS;
     }
     if (fabs(params->inertia[1]) > 0.0) {

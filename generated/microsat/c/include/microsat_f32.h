@@ -31,6 +31,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define MICROSAT_F32_MAX_INPUT 1.0e6F
 #define MICROSAT_F32_MAX_ENTRY 1.01F /**< of an entry of the error that the group keeps at 1 */
+#define MICROSAT_F32_LEAST_DRIFT 2.0e-6F /**< least max_drift that may be asked for */
 #define MICROSAT_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
 #define MICROSAT_F32_HYSTERESIS 0.1F /**< scalar part that turns the error over */
 #define MICROSAT_F32_MAX_PARAM 1.0e9F /**< largest inertia entry, force limit, or other gain */

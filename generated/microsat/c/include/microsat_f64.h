@@ -31,6 +31,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define MICROSAT_F64_MAX_INPUT 1.0e6
 #define MICROSAT_F64_MAX_ENTRY 1.01 /**< of an entry of the error that the group keeps at 1 */
+#define MICROSAT_F64_LEAST_DRIFT 1.0e-14 /**< least max_drift that may be asked for */
 #define MICROSAT_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
 #define MICROSAT_F64_HYSTERESIS 0.1 /**< scalar part that turns the error over */
 #define MICROSAT_F64_MAX_PARAM 1.0e9 /**< largest inertia entry, force limit, or other gain */

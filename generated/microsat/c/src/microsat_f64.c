@@ -561,13 +561,17 @@ static microsat_f64_status microsat_f64_refuse(const microsat_f64_state *state,
     return worst;
 }
 
-/* The share of a force that its limit leaves, if that is less than another share. */
-static double microsat_f64_share(const double share, const double force,
-        const double limit)
+/* The share of a force that its limit leaves: all of it, or less. */
+static double microsat_f64_share(const double force, const double limit)
 {
     const double size = fabs(force);
-    const double part = (size > limit) ? limit/size : share;
-    return (part < share) ? part : share;
+    return (size > limit) ? limit/size : 1.0;
+}
+
+/* The lesser of two shares. */
+static double microsat_f64_lesser(const double a, const double b)
+{
+    return (a < b) ? a : b;
 }
 
 /* The force shrunk as a whole, so that its direction stays: by the least share, less what rounding
@@ -575,10 +579,11 @@ static double microsat_f64_share(const double share, const double force,
 static microsat_f64_status microsat_f64_saturate(const microsat_f64_params *params,
         microsat_f64_command *command)
 {
-    double share = 1.0;
-    share = microsat_f64_share(share, command->force[0], params->force_limit[0]);
-    share = microsat_f64_share(share, command->force[1], params->force_limit[1]);
-    share = microsat_f64_share(share, command->force[2], params->force_limit[2]);
+    double share = microsat_f64_share(command->force[0], params->force_limit[0]);
+    share = microsat_f64_lesser(microsat_f64_share(command->force[1], params->force_limit[1]),
+            share);
+    share = microsat_f64_lesser(microsat_f64_share(command->force[2], params->force_limit[2]),
+            share);
     share = share*0.9999999999999996;
     command->force[0] = command->force[0]*share;
     command->force[1] = command->force[1]*share;
@@ -700,7 +705,8 @@ microsat_f64_status microsat_f64_check_params(const microsat_f64_params *params)
     if (!(params->k_s >= MICROSAT_F64_MIN_GAIN && params->k_s <= MICROSAT_F64_MAX_RATE)) {
         return MICROSAT_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= MICROSAT_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= MICROSAT_F64_LEAST_DRIFT && params->max_drift <=
+            MICROSAT_F64_MOST_DRIFT)) {
         return MICROSAT_F64_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

@@ -31,6 +31,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define PAPER_S3_F64_MAX_INPUT 1.0e6
 #define PAPER_S3_F64_MAX_ENTRY 1.01 /**< of an entry of the error that the group keeps at 1 */
+#define PAPER_S3_F64_LEAST_DRIFT 1.0e-14 /**< least max_drift that may be asked for */
 #define PAPER_S3_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
 #define PAPER_S3_F64_NEAR_CUT 0.001 /**< clearance below which NEAR_CUT_LOCUS is flagged */
 #define PAPER_S3_F64_REFUSED_CUT 1.0e-8 /**< clearance below which a law with a pole is refused */

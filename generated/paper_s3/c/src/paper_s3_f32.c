@@ -641,7 +641,8 @@ paper_s3_f32_status paper_s3_f32_check_params(const paper_s3_f32_params *params)
     if (!(params->k_s >= PAPER_S3_F32_MIN_GAIN && params->k_s <= PAPER_S3_F32_MAX_RATE)) {
         return PAPER_S3_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= PAPER_S3_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= PAPER_S3_F32_LEAST_DRIFT && params->max_drift <=
+            PAPER_S3_F32_MOST_DRIFT)) {
         return PAPER_S3_F32_BAD_PARAMS;
     }
     paper_s3_f32_definiteness(params, pivot);

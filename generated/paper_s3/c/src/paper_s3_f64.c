@@ -653,7 +653,8 @@ paper_s3_f64_status paper_s3_f64_check_params(const paper_s3_f64_params *params)
     if (!(params->k_s >= PAPER_S3_F64_MIN_GAIN && params->k_s <= PAPER_S3_F64_MAX_RATE)) {
         return PAPER_S3_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= PAPER_S3_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= PAPER_S3_F64_LEAST_DRIFT && params->max_drift <=
+            PAPER_S3_F64_MOST_DRIFT)) {
         return PAPER_S3_F64_BAD_PARAMS;
     }
     paper_s3_f64_definiteness(params, pivot);

@@ -32,6 +32,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define PAPER_SO3_LSF_F32_MAX_INPUT 1.0e6F
 #define PAPER_SO3_LSF_F32_MAX_ENTRY 1.01F /**< of an entry of the error that the group keeps at 1 */
+#define PAPER_SO3_LSF_F32_LEAST_DRIFT 2.0e-6F /**< least max_drift that may be asked for */
 #define PAPER_SO3_LSF_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
 #define PAPER_SO3_LSF_F32_MAX_PARAM 1.0e9F /**< largest inertia entry, force limit, or other gain */
 #define PAPER_SO3_LSF_F32_MIN_GAIN 1.0e-9F /**< least gain */

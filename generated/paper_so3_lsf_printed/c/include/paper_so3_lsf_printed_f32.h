@@ -35,6 +35,7 @@ extern "C" {
 #define PAPER_SO3_LSF_PRINTED_F32_MAX_INPUT 1.0e6F
 /** of an entry of the error that the group keeps at 1 */
 #define PAPER_SO3_LSF_PRINTED_F32_MAX_ENTRY 1.01F
+#define PAPER_SO3_LSF_PRINTED_F32_LEAST_DRIFT 2.0e-6F /**< least max_drift that may be asked for */
 #define PAPER_SO3_LSF_PRINTED_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
 /** largest inertia entry, force limit, or other gain */
 #define PAPER_SO3_LSF_PRINTED_F32_MAX_PARAM 1.0e9F

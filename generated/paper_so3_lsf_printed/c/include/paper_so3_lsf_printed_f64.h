@@ -35,6 +35,7 @@ extern "C" {
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_INPUT 1.0e6
 /** of an entry of the error that the group keeps at 1 */
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_ENTRY 1.01
+#define PAPER_SO3_LSF_PRINTED_F64_LEAST_DRIFT 1.0e-14 /**< least max_drift that may be asked for */
 #define PAPER_SO3_LSF_PRINTED_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
 /** largest inertia entry, force limit, or other gain */
 #define PAPER_SO3_LSF_PRINTED_F64_MAX_PARAM 1.0e9

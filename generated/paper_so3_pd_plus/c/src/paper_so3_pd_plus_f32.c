@@ -493,7 +493,8 @@ paper_so3_pd_plus_f32_status paper_so3_pd_plus_f32_check_params(const paper_so3_
             PAPER_SO3_PD_PLUS_F32_MAX_PARAM)) {
         return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= PAPER_SO3_PD_PLUS_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= PAPER_SO3_PD_PLUS_F32_LEAST_DRIFT && params->max_drift <=
+            PAPER_SO3_PD_PLUS_F32_MOST_DRIFT)) {
         return PAPER_SO3_PD_PLUS_F32_BAD_PARAMS;
     }
     paper_so3_pd_plus_f32_definiteness(params, pivot);

@@ -493,7 +493,8 @@ paper_so3_pd_plus_f64_status paper_so3_pd_plus_f64_check_params(const paper_so3_
             PAPER_SO3_PD_PLUS_F64_MAX_PARAM)) {
         return PAPER_SO3_PD_PLUS_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= PAPER_SO3_PD_PLUS_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= PAPER_SO3_PD_PLUS_F64_LEAST_DRIFT && params->max_drift <=
+            PAPER_SO3_PD_PLUS_F64_MOST_DRIFT)) {
         return PAPER_SO3_PD_PLUS_F64_BAD_PARAMS;
     }
     paper_so3_pd_plus_f64_definiteness(params, pivot);

@@ -31,6 +31,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define QUADROTOR_F32_MAX_INPUT 1.0e6F
 #define QUADROTOR_F32_MAX_ENTRY 1.01F /**< of an entry of the error that the group keeps at 1 */
+#define QUADROTOR_F32_LEAST_DRIFT 2.0e-6F /**< least max_drift that may be asked for */
 #define QUADROTOR_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
 #define QUADROTOR_F32_NEAR_CUT 0.001F /**< clearance below which NEAR_CUT_LOCUS is flagged */
 #define QUADROTOR_F32_REFUSED_CUT 1.0e-5F /**< clearance below which a law with a pole is refused */

@@ -514,13 +514,17 @@ static quadrotor_f32_status quadrotor_f32_refuse(const quadrotor_f32_state *stat
     return worst;
 }
 
-/* The share of a force that its limit leaves, if that is less than another share. */
-static float quadrotor_f32_share(const float share, const float force,
-        const float limit)
+/* The share of a force that its limit leaves: all of it, or less. */
+static float quadrotor_f32_share(const float force, const float limit)
 {
     const float size = fabsf(force);
-    const float part = (size > limit) ? limit/size : share;
-    return (part < share) ? part : share;
+    return (size > limit) ? limit/size : 1.0F;
+}
+
+/* The lesser of two shares. */
+static float quadrotor_f32_lesser(const float a, const float b)
+{
+    return (a < b) ? a : b;
 }
 
 /* The force shrunk as a whole, so that its direction stays: by the least share, less what rounding
@@ -528,10 +532,11 @@ static float quadrotor_f32_share(const float share, const float force,
 static quadrotor_f32_status quadrotor_f32_saturate(const quadrotor_f32_params *params,
         quadrotor_f32_command *command)
 {
-    float share = 1.0F;
-    share = quadrotor_f32_share(share, command->force[0], params->force_limit[0]);
-    share = quadrotor_f32_share(share, command->force[1], params->force_limit[1]);
-    share = quadrotor_f32_share(share, command->force[2], params->force_limit[2]);
+    float share = quadrotor_f32_share(command->force[0], params->force_limit[0]);
+    share = quadrotor_f32_lesser(quadrotor_f32_share(command->force[1], params->force_limit[1]),
+            share);
+    share = quadrotor_f32_lesser(quadrotor_f32_share(command->force[2], params->force_limit[2]),
+            share);
     share = share*0.99999976F;
     command->force[0] = command->force[0]*share;
     command->force[1] = command->force[1]*share;
@@ -638,7 +643,8 @@ quadrotor_f32_status quadrotor_f32_check_params(const quadrotor_f32_params *para
     if (!(params->k_s >= QUADROTOR_F32_MIN_GAIN && params->k_s <= QUADROTOR_F32_MAX_RATE)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= QUADROTOR_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= QUADROTOR_F32_LEAST_DRIFT && params->max_drift <=
+            QUADROTOR_F32_MOST_DRIFT)) {
         return QUADROTOR_F32_BAD_PARAMS;
     }
     for (i = 0; i < 3; i++) {

@@ -31,6 +31,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define SL2_F32_MAX_INPUT 1.0e6F
 #define SL2_F32_MAX_REACH 1.0e3F /**< of any other entry of the error */
+#define SL2_F32_LEAST_DRIFT 2.0e-6F /**< least max_drift that may be asked for */
 #define SL2_F32_MOST_DRIFT 0.1F /**< largest max_drift that may be asked for */
 #define SL2_F32_MAX_PARAM 1.0e9F /**< largest inertia entry, force limit, or other gain */
 #define SL2_F32_MIN_GAIN 1.0e-9F /**< least gain */

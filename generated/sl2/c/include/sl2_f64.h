@@ -31,6 +31,7 @@ extern "C" {
 /** largest velocity, rate of one, and number the group does not bound */
 #define SL2_F64_MAX_INPUT 1.0e6
 #define SL2_F64_MAX_REACH 1.0e6 /**< of any other entry of the error */
+#define SL2_F64_LEAST_DRIFT 1.0e-14 /**< least max_drift that may be asked for */
 #define SL2_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
 #define SL2_F64_MAX_PARAM 1.0e9 /**< largest inertia entry, force limit, or other gain */
 #define SL2_F64_MIN_GAIN 1.0e-9 /**< least gain */

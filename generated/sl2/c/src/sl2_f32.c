@@ -471,7 +471,7 @@ sl2_f32_status sl2_f32_check_params(const sl2_f32_params *params)
     if (!(params->k_s >= SL2_F32_MIN_GAIN && params->k_s <= SL2_F32_MAX_RATE)) {
         return SL2_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= SL2_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= SL2_F32_LEAST_DRIFT && params->max_drift <= SL2_F32_MOST_DRIFT)) {
         return SL2_F32_BAD_PARAMS;
     }
     sl2_f32_definiteness(params, pivot);

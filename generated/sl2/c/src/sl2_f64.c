@@ -470,7 +470,7 @@ sl2_f64_status sl2_f64_check_params(const sl2_f64_params *params)
     if (!(params->k_s >= SL2_F64_MIN_GAIN && params->k_s <= SL2_F64_MAX_RATE)) {
         return SL2_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= SL2_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= SL2_F64_LEAST_DRIFT && params->max_drift <= SL2_F64_MOST_DRIFT)) {
         return SL2_F64_BAD_PARAMS;
     }
     sl2_f64_definiteness(params, pivot);

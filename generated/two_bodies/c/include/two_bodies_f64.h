@@ -34,6 +34,7 @@ extern "C" {
 #define TWO_BODIES_F64_MAX_INPUT 1.0e6
 #define TWO_BODIES_F64_MAX_ENTRY 1.01 /**< of an entry of the error that the group keeps at 1 */
 #define TWO_BODIES_F64_MAX_REACH 4.0e6 /**< of any other entry of the error */
+#define TWO_BODIES_F64_LEAST_DRIFT 1.0e-14 /**< least max_drift that may be asked for */
 #define TWO_BODIES_F64_MOST_DRIFT 0.1 /**< largest max_drift that may be asked for */
 #define TWO_BODIES_F64_NEAR_CUT 0.001 /**< clearance below which NEAR_CUT_LOCUS is flagged */
 #define TWO_BODIES_F64_MAX_PARAM 1.0e9 /**< largest inertia entry, force limit, or other gain */

@@ -1480,7 +1480,8 @@ two_bodies_f32_status two_bodies_f32_check_params(const two_bodies_f32_params *p
     if (!(params->k_s >= TWO_BODIES_F32_MIN_GAIN && params->k_s <= TWO_BODIES_F32_MAX_RATE)) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= TWO_BODIES_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= TWO_BODIES_F32_LEAST_DRIFT && params->max_drift <=
+            TWO_BODIES_F32_MOST_DRIFT)) {
         return TWO_BODIES_F32_BAD_PARAMS;
     }
     if (fabsf(params->inertia[1]) > 0.0F) {

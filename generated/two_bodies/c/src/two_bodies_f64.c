@@ -1510,7 +1510,8 @@ two_bodies_f64_status two_bodies_f64_check_params(const two_bodies_f64_params *p
     if (!(params->k_s >= TWO_BODIES_F64_MIN_GAIN && params->k_s <= TWO_BODIES_F64_MAX_RATE)) {
         return TWO_BODIES_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= TWO_BODIES_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= TWO_BODIES_F64_LEAST_DRIFT && params->max_drift <=
+            TWO_BODIES_F64_MOST_DRIFT)) {
         return TWO_BODIES_F64_BAD_PARAMS;
     }
     if (fabs(params->inertia[1]) > 0.0) {

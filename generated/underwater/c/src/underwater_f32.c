@@ -1254,7 +1254,8 @@ underwater_f32_status underwater_f32_check_params(const underwater_f32_params *p
     if (!(params->k_s >= UNDERWATER_F32_MIN_GAIN && params->k_s <= UNDERWATER_F32_MAX_RATE)) {
         return UNDERWATER_F32_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0F && params->max_drift <= UNDERWATER_F32_MOST_DRIFT)) {
+    if (!(params->max_drift >= UNDERWATER_F32_LEAST_DRIFT && params->max_drift <=
+            UNDERWATER_F32_MOST_DRIFT)) {
         return UNDERWATER_F32_BAD_PARAMS;
     }
     underwater_f32_definiteness(params, pivot);

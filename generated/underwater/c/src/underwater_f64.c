@@ -1289,7 +1289,8 @@ underwater_f64_status underwater_f64_check_params(const underwater_f64_params *p
     if (!(params->k_s >= UNDERWATER_F64_MIN_GAIN && params->k_s <= UNDERWATER_F64_MAX_RATE)) {
         return UNDERWATER_F64_BAD_PARAMS;
     }
-    if (!(params->max_drift > 0.0 && params->max_drift <= UNDERWATER_F64_MOST_DRIFT)) {
+    if (!(params->max_drift >= UNDERWATER_F64_LEAST_DRIFT && params->max_drift <=
+            UNDERWATER_F64_MOST_DRIFT)) {
         return UNDERWATER_F64_BAD_PARAMS;
     }
     underwater_f64_definiteness(params, pivot);
