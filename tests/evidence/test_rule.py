@@ -162,8 +162,13 @@ def test_a_departure_without_a_row_is_found(copy: Emitted, rule: str, text: str)
 @pytest.mark.parametrize(
     ("old", "new", "name"),
     [
-        ("| 8.7 | the", "| 9.9 | the", "cppcheck, MISRA C:2012: no row"),
-        ("| 8.7 | the", "| 8.1 | all | none |\n| 8.7 | the", "deviations: nothing found"),
+        ("| 8.7 | advisory", "| 9.9 | advisory", "cppcheck, MISRA C:2012: no row"),
+        ("| 8.7 | advisory |", "| 8.7 |", "cppcheck, MISRA C:2012: no row"),
+        (
+            "| 8.7 | adv",
+            "| 8.1 | required | all | none |\n| 8.7 | adv",
+            "deviations: nothing found",
+        ),
     ],
 )
 def test_the_table_in_the_package_counts(copy: Emitted, old: str, new: str, name: str) -> None:
@@ -222,10 +227,21 @@ def test_a_missing_tool_spares_the_others(monkeypatch: pytest.MonkeyPatch) -> No
     hide(monkeypatch, "cppcheck")
     checks, missing = rules(FLOAT)
     assert {"gcc: warnings", "clang: warnings"} <= {check.name for check in checks}
-    assert [line.partition(",")[0] for line in missing] == [
-        *("compilers", "clang-tidy", "MISRA C:2012", "symbols"),
+    assert [(one.what, one.tools, one.is_part) for one in missing] == [
+        ("warnings of compilers", ("arm-none-eabi-gcc",), True),
+        ("clang-tidy", ("clang-tidy",), False),
+        ("MISRA C:2012", ("cppcheck",), False),
+        ("symbols", ("arm-none-eabi-gcc",), True),
     ]
-    assert "pip install gsmc-derive[evidence]" in missing[2]
+    assert "pip install gsmc-derive[evidence]" in missing[2].why
+
+
+def test_one_compiler_less_spares_those_after_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    hide(monkeypatch, "clang")
+    checks, (first, second) = rules(FLOAT)
+    names = {check.name for check in checks}
+    assert {"gcc: warnings", "arm-none-eabi-gcc: warnings", "calls through a pointer"} <= names
+    assert first.why == second.why == "clang is not on PATH; get it with: apt install clang"
 
 
 def test_a_source_that_does_not_compile_is_no_evidence(copy: Emitted) -> None:
