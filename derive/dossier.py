@@ -129,9 +129,7 @@ def compiling(vehicle: Vehicle) -> Iterator[None]:
     except CompileError as fault:
         expected = "a C compiler that takes what is emitted"
         found = str(fault).rstrip().replace("\n", "\n    ")
-        remedy = (
-            "run that command by hand; mend the compiler, or put gcc or clang before it on PATH"
-        )
+        remedy = "mend the compiler, or put another before it on PATH: gcc or clang"
         raise InputError(vehicle.source, "", expected, found, remedy) from fault
 
 

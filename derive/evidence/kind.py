@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from derive.evidence import bound, coverage, defect, eva, flip, fuzz, rule, target
+from derive.evidence import bound, coverage, defect, eva, flip, fuzz, target
 from derive.evidence.emitted import Emitted
 from derive.evidence.lack import Lack
+from derive.evidence.rule import RULES, Rule
 from derive.verify import run
 from derive.verify.check import Check
 from derive.verify.plant import Plant
@@ -66,8 +67,11 @@ class Kind:
 def _accuracy(work: Work, _: Sequence[Emitted]) -> Iterator[Check | Lack]:
     report = run.run(work.name, work.texts, work.plant, progress=work.progress)
     yield from report.checks
-    for reason in report.skipped:
-        yield Lack("accuracy", ("a C compiler",), "; ".join(map(str.strip, reason.splitlines())))
+    for text in report.skipped:
+        subject, words = text.split(": ", 1)
+        why = "; ".join(map(str.strip, words.splitlines()))
+        on = (subject.removeprefix("C "),)
+        yield Lack("accuracy in C", ("cc, gcc or clang",), why, on, is_part=bool(report.checks))
 
 
 def _proofs(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
@@ -113,11 +117,14 @@ def _targets(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
         yield replace(one, what=f"target {one.what}")
 
 
-def _rules(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
-    for one in packages:
-        checks, missing = rule.rules(one)
-        yield from checks
-        yield from missing
+def held(name: str, rule: Rule) -> Step:
+    """A rule as a step of its own: a tool that is missing or breaks down spares the others."""
+
+    def run(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
+        for one in packages:
+            yield from rule(one)
+
+    return Step(name, run)
 
 
 KINDS = (
@@ -137,6 +144,6 @@ KINDS = (
         Step("bit flips", _flip),
         Step("coverage", _coverage),
     )),
-    Kind("rule", (Step("rules", _rules),)),
+    Kind("rule", tuple(held(*item) for item in RULES.items())),
 )  # fmt: skip
 """In the order of the page."""

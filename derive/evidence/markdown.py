@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from tempfile import gettempdir
+
+_SCRATCH = re.compile(re.escape(gettempdir()) + r"/(?:derive-|tmp)\w{8}(?!\w)")
+"""Folders that are made for a measurement: their names are of no use afterwards."""
 
 _PLACE = re.compile(r"(?<![\w/.)\]])/(?:[\w.+-]+/)+")
 
@@ -22,7 +26,7 @@ def _joined(row: Sequence[str], widths: Sequence[int]) -> str:
 
 def shown(text: str) -> str:
     """Words of a tool as they can stand in a table: one line, no markup, no place of a file."""
-    line = " ".join(_PLACE.sub("", text).split())
+    line = " ".join(_PLACE.sub("", _SCRATCH.sub("scratch", text)).split())
     return re.sub(r"([|*<\\`])", r"\\\1", line)
 
 

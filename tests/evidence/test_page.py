@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
+from tempfile import gettempdir
 
 import pytest
 
@@ -14,15 +16,18 @@ from derive import dossier, folder, selftest
 from derive.evidence import version
 from derive.evidence.emitted import Emitted
 from derive.evidence.gather import Evidence, gather
-from derive.evidence.kind import KINDS, Kind, Step, Work
+from derive.evidence.kind import KINDS, Kind, Step, Work, held
 from derive.evidence.markdown import shown
 from derive.evidence.page import LESS, WHOLE, page
+from derive.evidence.rule import RULES
 from derive.evidence.stamp import Fault, fault, hashes, outdated
 from derive.evidence.summary import PROMISES, lines
+from derive.evidence.tool import ToolFailed
 from derive.vehicle import load
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 from tests.evidence import attacked, made
+from tests.evidence.tools import hide
 
 NAME = "paper_so3"
 ROOT = Path(__file__).parents[2]
@@ -134,6 +139,10 @@ def test_progress_counts_the_steps(work: Work) -> None:
     [
         ("in /tmp/derive-x/paper.c:3: at", "in paper.c:3: at"),
         ("a/b and c/ d", "a/b and c/ d"),
+        (
+            f"-I{gettempdir()}/derive-x1y2z3_4/a/b, {gettempdir()}/tmpx1y2z3_4",
+            "-Iscratch/a/b, scratch",
+        ),
         ("x | y\nand *z* <= `w`", r"x \| y and \*z\* \<= \`w\`"),
     ],
 )
@@ -215,6 +224,31 @@ def test_a_page_whose_words_were_edited_is_told(
     assert (told := fault(other, work.texts))
     assert told.word == "edited"
     assert reason in told.reason
+
+
+def test_a_tool_that_is_missing_or_breaks_down_spares_the_others(
+    work: Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuses(_: Emitted) -> Iterator[Check]:
+        yield from ()
+        raise ToolFailed(["/usr/bin/doxygen"], "ended with 3", "")
+
+    rule = next(kind for kind in KINDS if kind.key == "rule")
+    assert [step.name for step in rule.steps] == list(RULES)
+    steps = tuple(held("doxygen", refuses) if s.name == "doxygen" else s for s in rule.steps)
+    for tool in ("clang-tidy", "arm-none-eabi-gcc", "cppcheck"):
+        hide(monkeypatch, tool)
+    evidence = found(replace(work, packages=work.packages[:1]), replace(rule, steps=steps))
+    assert [(one.what, one.tools, one.is_part) for one in evidence.missing] == [
+        ("warnings of compilers", ("arm-none-eabi-gcc",), True),
+        ("clang-tidy", ("clang-tidy",), False),
+        ("MISRA C:2012", ("cppcheck",), False),
+        ("symbols", ("arm-none-eabi-gcc",), True),
+    ]
+    assert "pip install gsmc-derive[evidence]" in evidence.missing[2].why
+    assert [one.name for one in evidence.failed] == ["doxygen: broke down"]
+    names = {check.name for check in evidence.all_checks}
+    assert {"gcc: warnings", "clang: warnings", "calls through a pointer"} <= names
 
 
 def test_a_package_is_measured_for_true(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
