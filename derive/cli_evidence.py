@@ -130,16 +130,19 @@ def evidence(
 
     names = files or everything()
     vehicles = _ready(names, out, cache(no_cache))
-    code = 0 if len(vehicles) == len(names) else BAD_INPUT
+    lost = [str(name) for name in names if str(name) not in {one.source for one in vehicles}]
+    code = 0
     for vehicle in vehicles:
         try:
             filed = _filed(vehicle, out, progress(), is_quick=quick, may_lose=allow_missing)
         except InputError as fault:
             click.echo(fault, err=True)
-            code = BAD_INPUT
+            lost.append(vehicle.source)
         else:
             code = max(code, _told(filed, is_accepted=allow_missing))
-    return code
+    if lost and len(names) > 1:
+        click.echo(f"no page was written for {', '.join(lost)}: see above", err=True)
+    return BAD_INPUT if lost else code
 
 
 def _ready(files: tuple[Path, ...], out: Path, cached: Path | None) -> list[Vehicle]:

@@ -152,6 +152,7 @@ def test_a_vehicle_that_cannot_be_measured_costs_the_others_nothing(
     heads = [line for line in said.err.splitlines() if line[0] != " "]
     assert [line.partition(":")[0] for line in heads] == [
         "bad.toml", "generated/third", "generated/fourth",
+        "no page was written for bad.toml, third.toml, fourth.toml",
     ]  # fmt: skip
     assert "found:    no such folder\n" in said.err
 
@@ -281,6 +282,20 @@ def test_verify_runs_targets_when_asked(
     assert cli.run(["verify", str(body), "--target"]) == 1
     assert "not checked: RV32 was not run: get it with: apt\n" in capsys.readouterr().out
     assert cli.run(["verify", str(body), "--target", "--allow-missing"]) == 0
+
+
+def test_a_compiler_that_fails_is_told_with_its_words(
+    body: Path, home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "bin"
+    broken.mkdir()
+    (broken / "cc").write_text("#!/bin/sh\necho out of luck >&2\nexit 1\n", encoding="utf-8")
+    (broken / "cc").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{broken}:{os.environ['PATH']}")
+    told = refused(body.parent, "verify", body.name, "--target", "--samples", "1", home=home)
+    assert told.startswith("body.toml\n  expected: a C compiler that takes what is emitted\n")
+    assert f"command: {broken}/cc -std=c99" in told
+    assert "out of luck\n" in told
 
 
 def test_a_vehicle_without_c_has_no_targets(body: Path, home: Path) -> None:

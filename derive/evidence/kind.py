@@ -68,10 +68,9 @@ def _accuracy(work: Work, _: Sequence[Emitted]) -> Iterator[Check | Lack]:
     report = run.run(work.name, work.texts, work.plant, progress=work.progress)
     yield from report.checks
     for text in report.skipped:
-        subject, words = text.split(": ", 1)
-        why = "; ".join(map(str.strip, words.splitlines()))
-        on = (subject.removeprefix("C "),)
-        yield Lack("accuracy in C", ("cc, gcc or clang",), why, on, is_part=bool(report.checks))
+        where, why = text.split(": ", 1)  # C f64 and f32
+        tools = ("cc, gcc or clang",)
+        yield Lack(f"accuracy of {where}", tools, why, is_part=bool(report.checks))
 
 
 def _proofs(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:

@@ -64,8 +64,8 @@ class Compiler:
             if path := shutil.which(name):
                 return cls(name, Path(path))
         raise CompilerMissing(
-            f"no C compiler found: looked on PATH for {', '.join(names)}\n"
-            "  install one: `apt install gcc`, `dnf install gcc` or `xcode-select --install`"
+            f"no C compiler found: looked on PATH for {', '.join(names)}; "
+            "install one: `apt install gcc`, `dnf install gcc` or `xcode-select --install`"
         )
 
     @property

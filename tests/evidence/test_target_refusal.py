@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,7 +14,7 @@ from derive.evidence import tool
 from derive.evidence.emitted import Emitted, NotEmitted
 from derive.evidence.machine import MACHINES, MEASURED
 from derive.evidence.target import missing, targets
-from derive.evidence.tool import ToolFailed, run
+from derive.evidence.tool import Tool, ToolFailed, run
 from derive.verify.check import Check, Report
 from tests.command import tree
 from tests.evidence.emulated import BY_NAME, M4F, inject, need, package
@@ -79,6 +80,20 @@ def test_a_compiler_that_fails_is_told_with_its_words(tmp_path: Path) -> None:
     for word in ("arm-none-eabi-gcc ended with 1", "command: ", "-mcpu=cortex-m4", "error: "):
         assert word in failed.worst
     assert "\n" not in Report("v", (failed,)).table().splitlines()[2]
+
+
+def test_a_compiler_that_is_no_program_is_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    emitted = package("paper_so3", "f32", tmp_path)
+    (tmp_path / "cc-of-nowhere").write_text("not a program", encoding="utf-8")
+    (tmp_path / "cc-of-nowhere").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    machine = replace(BY_NAME["gcc"], compiler=Tool("cc-of-nowhere", "nothing"), needs="libm.a")
+    assert missing([machine]) == ()  # it is there, and does not work
+    (failed,) = targets([emitted], machines=[machine], levels=[MEASURED])
+    assert (failed.name, failed.measured) == ("built and run", 1)
+    assert "Exec format error" in failed.worst
 
 
 def test_an_emulator_that_hangs_is_ended_and_told(tmp_path: Path) -> None:
