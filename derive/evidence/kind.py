@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from derive.evidence import bound, coverage, defect, eva, flip, fuzz, rule, target
+from derive.evidence import bound, coverage, defect, eva, flip, fuzz, limit, rule, target
 from derive.evidence.emitted import Emitted
 from derive.verify import run
 from derive.verify.check import Check
@@ -71,6 +71,8 @@ def _accuracy(work: Work, _: Sequence[Emitted]) -> Iterator[Check | str]:
 def _proofs(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
     for one in packages:
         yield from eva.proofs(one)
+        if limit.is_limited(one):
+            yield limit.limits(one)
 
 
 def _teeth(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:

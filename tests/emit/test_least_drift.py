@@ -78,7 +78,7 @@ def test_no_correctly_rounded_pair_is_off(folder: Path, vehicle: Any, scalar: st
     g, g_r = (one.astype(kind).astype(float) for one in pair)
     still = np.zeros((COUNT, group(vehicle).dim))
     state, reference = {"g": g, "nu": still}, {"g": g_r, "nu": still, "nu_dot": still}
-    state |= {name: still for name in vehicle.options}
+    state |= dict.fromkeys(vehicle.options, still)
     for part, are_off in ((1.0, False), (0.02, True)):
         params = {"max_drift": np.array(part * built.constants["LEAST_DRIFT"])}
         found = built.call("control", state=state, reference=reference, params=params)
