@@ -1,7 +1,8 @@
 """The emitted source as Eva reads it: every statement marked, comparisons of |x| by cases.
 
 The marks say which statements are reached. Of `fabs(x) <= limit` Eva 25 knows neither that it
-holds x on both sides of zero, nor that it fails for NaN; the driver's EVA_ABS says both.
+holds x on both sides of zero, nor that it fails for NaN; the driver's EVA_ABS says both. Of
+`size > limit`, both unknown, it keeps nothing; the driver's quotient is at most 1.
 """
 
 from __future__ import annotations
@@ -11,19 +12,21 @@ from collections.abc import Iterator
 
 MARK = "Frama_C_show_each_reached();"
 _COMPARED = re.compile(r"\bfabsf?(\((?:[^()]|\([^()]*\))*\))(\s*<=)")
+_SHARED = re.compile(r"(\(size > limit\) \? )limit/size\b")
 _ENDS = (";", "{", "}")
 _OPENS_NONE = re.compile(r"[}{]|else\b|case\b|default\b")
 _NAMED = re.compile(r"(?!\s*[#/*]|typedef\b|extern\b)[\w\s*]*?\b(\w+)\(")
 
 
 def analysed(source: str, is_marked: bool = True) -> str:
-    """The same lines, a mark before each that begins a statement, and EVA_ABS."""
+    """The same lines, a mark before each that begins a statement; EVA_ABS and eva_quotient."""
     marked = set(statements(source)) if is_marked else set()
     lines = source.splitlines()
     text = "\n".join(
         f"{MARK} {line.lstrip()}" if number in marked else line
         for number, line in enumerate(lines, start=1)
     )
+    text = _SHARED.sub(r"\1eva_quotient(limit, size)", text)
     return _COMPARED.sub(r"EVA_ABS\1\2", text) + "\n"
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from derive.evidence.analysed import places
 from derive.evidence.emitted import Emitted
 from derive.evidence.eva import FRAMA_C, PREPROCESSOR, is_clean
+from derive.evidence.limit import is_limited, unproved
 from derive.evidence.tool import need
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
@@ -74,7 +75,7 @@ DEFECTS = (
            "norm_bounded"),
     Defect("a cosine above 1", "law", r"\bw(_\w+)? = 1\.0F?;", r"w\1 = cosine\1;", "cosine"),
     Defect("the force not looked at", "verdict", r"isfinite\(command->force\[0\]\)", "1",
-           "isfinite(command->force[0])"),
+           "isfinite(command->force[0]) && isfinite("),
     Defect("another limit", "cut", r"<= limit\)", "<= 2*limit)", "_cut("),
     Defect("a shrunk force not looked at", "saturate",
            r"(fabsf?\(command->force\[1\]\) <= params->force_limit\[1\])", "1", "_share("),
@@ -117,11 +118,18 @@ def teeth(emitted: Emitted) -> Check:
     defects = applicable(source)
     texts = [source, *(edited(one, emitted, source) for one in defects)]
     with ThreadPoolExecutor(RUNS) as pool:
-        whole, *clean = pool.map(lambda text: is_clean(emitted, text), texts)
+        whole, *clean = pool.map(lambda text: _is_proved(emitted, text), texts)
     if not whole:
-        raise ValueError(f"{emitted.source.name}: Eva has findings in it, without a defect")
+        raise ValueError(f"{emitted.source.name}: there are findings in it, without a defect")
     missed = tuple(one.name for one, is_missed in zip(defects, clean, strict=True) if is_missed)
     return Check(
         "seeded defects: missed", f"C {emitted.scalar}", float(len(missed)), LIMITS["eva, defects"],
         len(defects), missed[0] if missed else "", missed,
     )  # fmt: skip
+
+
+def _is_proved(emitted: Emitted, source: str) -> bool:
+    """Whether all that is shown of the emitted source is shown of this one."""
+    if not is_clean(emitted, source):
+        return False
+    return not is_limited(emitted) or not unproved(emitted, source)[0]

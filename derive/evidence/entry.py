@@ -66,12 +66,7 @@ def _context(emitted: Emitted, source: str, start: Start) -> dict[str, Any]:
 
 
 def _ranged(one: Member, emitted: Emitted, source: str) -> tuple[Member, str, str]:
-    """A member of params with the least and the largest value that check_params lets pass.
-
-    A force limit is the default one: that the force keeps to it is shown for no other.
-    """
-    if one.name == "force_limit":
-        return one, f"{emitted.prefix}_defaults.{one.name}" + "[i]" * one.is_array, ""
+    """A member of params with the least and the largest value that check_params lets pass."""
     if re.search(rf"inspect\(params->{one.name}, {one.count}, {emitted.macro}_MAX_PARAM\)", source):
         return one, f"-{emitted.macro}_MAX_PARAM", f"{emitted.macro}_MAX_PARAM"
     field = rf"params->{one.name}(?:\[i\])?"

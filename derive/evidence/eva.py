@@ -4,8 +4,7 @@ Frama-C's Eva carries intervals through the emitted C from a driver of its own. 
 
 any bits  every number of state and reference is any float, NaN and infinities too, params are
           within their ranges: no undefined behaviour, every statement reached, the whole command
-          finite, the force within the default limits, a documented status, and zero from the
-          first bad status on
+          finite, a documented status, and zero from the first bad status on
 in range  the inputs are finite and at most MAX_INPUT, and NaN or infinity anywhere is an alarm: no
           step overflows or divides by zero. On unit quaternions, where near -i no interval is
           good for more than one scale, the law is shown in boxes, which together are all.

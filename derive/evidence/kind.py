@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from derive.evidence import bound, coverage, defect, eva, flip, fuzz, target
+from derive.evidence import bound, coverage, defect, eva, flip, fuzz, limit, target
 from derive.evidence.emitted import Emitted
 from derive.evidence.lack import Lack
 from derive.evidence.rule import RULES, Rule
@@ -76,6 +76,8 @@ def _accuracy(work: Work, _: Sequence[Emitted]) -> Iterator[Check | Lack]:
 def _proofs(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         yield from eva.proofs(one)
+        if limit.is_limited(one):
+            yield limit.limits(one)
 
 
 def _teeth(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:

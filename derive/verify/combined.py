@@ -14,14 +14,18 @@ from fractions import Fraction
 from typing import Any
 
 from derive.emit.literal import nearest
-from derive.verify.limits import LIMITS
+from derive.verify.limits import EPS, LIMITS
 from derive.verify.sized import ZERO, Sized, Vector, minus, plus, times, total
 
 PRECISION = Context(prec=60)
 """Of what is put together, ten digits beyond what is kept."""
 
 UNSURE = Decimal("0.01")
-"""Relative distance from a force limit within which rounding may decide."""
+"""Relative distance from a force limit within which rounding may decide; what is cut has no error,
+and is farther from its limit than any."""
+
+SHRINKING = 5
+"""eps that shrinking adds by itself: two on purpose, a quotient, two products, a rounded truth."""
 
 
 Known = Mapping[str, Vector]
@@ -142,7 +146,8 @@ def answers(
         rows = golden["rows"][scalar]
         found = [_outputs(controller, body, row, bound) if row["known"] else {} for row in rows]
         pairs = zip(rows, found, strict=True)
-        return [_limited(row["status"], one, most, limits.keeps_direction) for row, one in pairs]
+        direct = limits.keeps_direction
+        return [_limited(row["status"], one, most, direct, scalar) for row, one in pairs]
 
 
 def _outputs(
@@ -160,21 +165,36 @@ def _outputs(
 
 def _limited(
     status: str, outputs: dict[str, tuple[list[Decimal], float]], most: Sequence[Decimal],
-    keeps_direction: bool,
+    keeps_direction: bool, scalar: str,
 ) -> Answer | None:  # fmt: skip
     """The same with the force held to its limits."""
     if not outputs or not most:
         return Answer(status, outputs)
     force, error = outputs["force"]
     parts = [abs(x) / y for x, y in zip(force, most, strict=True)]
-    if any(abs(part - 1) < UNSURE for part in parts):
+    unsure = [UNSURE if keeps_direction else max(UNSURE, Decimal(error) / y) for y in most]
+    if any(abs(part - 1) < one for part, one in zip(parts, unsure, strict=True)):
         return None
     if max(parts) < 1:
         return Answer(status, outputs)
     share = 1 / max(parts) if keeps_direction else Decimal(1)
     held = [max(-y, min(y, x * share)) for x, y in zip(force, most, strict=True)]
+    if keeps_direction:
+        error = _shrunk(error, force, parts) + SHRINKING * EPS[scalar] * float(max(map(abs, held)))
     worse = "SATURATED" if status == "OK" else status
     return Answer(worse, outputs | {"force": (held, error)})
+
+
+def _shrunk(error: float, force: Sequence[Decimal], parts: Sequence[Decimal]) -> float:
+    """An error of the force after it is shrunk: it scales by the share, whose own error it adds.
+
+    parts: of the limits that the force asks for; the largest decides the share, or what is next
+    to it
+    """
+    most = max(parts)
+    deciding = [abs(x) for x, y in zip(force, parts, strict=True) if y > (1 - UNSURE) * most]
+    least, widest = float(min(deciding)) - error, float(max(map(abs, force)))
+    return error / float(most) * (1 + (widest + error) / least) if least > 0 else error
 
 
 def _sized(row: Mapping[str, Any]) -> dict[str, Vector]:

@@ -71,6 +71,7 @@ _TABLE = (
     Limit("eva, not proved", 0, "assertions", "finite, within limits, documented, zero when bad"),
     Limit("eva, not reached", 0, "lines", "statements that no input reaches"),
     Limit("eva, overflows", 0, "alarms", "NaN or infinity at any step, inputs within their ranges"),
+    Limit("wp, not proved", 0, "goals", "a good force is within its limits, whatever these are"),
     Limit("eva, defects", 0, "missed", "seeded defects that the same runs do not find"),
     Limit("kernel k", 1.5, "eps", "k alone: half of what the log may be off"),
     Limit("kernel h", 4, "eps", "h alone, as much as the rate; it enters that times s^2"),

@@ -161,6 +161,29 @@ def test_what_is_changed_in_the_table_is_counted(tmp_path: Path, name: str) -> N
     assert failures(root) == wanted
 
 
+HELD = re.compile(
+    r"\{\{(-?[\d.e-]+)F((?:,\s+-?[\d.e-]+F)+\},(?:\s+\{[^{}]*\},?){3}\},\s+\w+_SATURATED)"
+)
+"""The first number of the true force of a row that is limited."""
+
+
+@pytest.mark.parametrize(
+    ("vehicle", "factor"), [(SHARED, 1 + 2e-4), (LIMITED, 1 - 2e-7)], ids=lambda v: str(v)[:7]
+)
+def test_a_truth_within_limits_is_judged_on_their_scale(
+    tmp_path: Path, vehicle: Vehicle, factor: float
+) -> None:
+    """Of what is shrunk little may differ, of what is cut nothing: an ulp is counted."""
+    root = subjects.place(vehicle, tmp_path)
+
+    def moved(text: str) -> str:
+        return HELD.sub(lambda row: f"{{{{{factor * float(row[1]):.9g}F{row[2]}", text, count=1)
+
+    assert failures(root, vehicle) == 0
+    assert changed(root / f"test/{vehicle.name}_f32_test.c", moved)
+    assert failures(root, vehicle) == 1
+
+
 @pytest.mark.parametrize("name", HARMED)
 def test_what_is_harmed_in_the_code_is_found(tmp_path: Path, name: str) -> None:
     vehicle, change = HARMED[name]

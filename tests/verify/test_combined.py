@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
+from itertools import product
 from typing import Any
 
 import pytest
@@ -16,6 +18,7 @@ from derive.vehicle import Vehicle, load
 from derive.vehicle.group import group_of
 from derive.verify.combined import Answer, Limits, answers
 from derive.verify.golden import golden, is_known
+from derive.verify.limits import EPS
 from derive.verify.oracle import baseline_truth, matrix_truth, truth
 from derive.verify.plant import Plant
 from tests.verify.subjects import FILES, vehicle
@@ -126,6 +129,36 @@ def test_a_group_that_no_oracle_knows_has_no_golden_vectors() -> None:
 
 def largest(answer: Answer) -> Decimal:
     return max(map(abs, answer.outputs["force"][0]))
+
+
+def held_to(force: Sequence[Decimal], most: Sequence[int], keeps_direction: bool) -> list[Decimal]:
+    """The force within its limits, in 28 digits."""
+    share = min([Decimal(1), *(y / abs(x) for x, y in zip(force, most, strict=True))])
+    if keeps_direction:
+        return [x * share for x in force]
+    return [max(Decimal(-y), min(Decimal(y), x)) for x, y in zip(force, most, strict=True)]
+
+
+@pytest.mark.parametrize("scalar", ["f32", "f64"])
+@pytest.mark.parametrize("keeps_direction", [True, False])
+def test_what_is_allowed_of_a_held_force_follows_it(keeps_direction: bool, scalar: str) -> None:
+    """Errors either way of the free force stay within what is allowed, which is not much more."""
+    most, seen = (2, 3, 1), 0
+    limits = Limits([Fraction(x) for x in most], keeps_direction)
+    for plain, held in zip(found(ONE, scalar), found(ONE, scalar, limits), strict=True):
+        if not plain or not held or not plain.outputs or plain.outputs == held.outputs:
+            continue
+        (force, error), (kept, allowed) = plain.outputs["force"], held.outputs["force"]
+        worst = Decimal(0)
+        for signs in product((-1, 0, 1), repeat=3):
+            moved = [x + sign * Decimal(error) for x, sign in zip(force, signs, strict=True)]
+            other = held_to(moved, most, keeps_direction)
+            worst = max(worst, *(abs(x - y) for x, y in zip(other, kept, strict=True)))
+        assert worst <= Decimal(allowed) * (1 + Decimal("1e-12"))
+        rounding = 5 * EPS[scalar] * float(max(map(abs, kept)))
+        assert allowed <= 4 * float(worst) + 1.01 * rounding if keeps_direction else error
+        seen += 1
+    assert seen >= 10
 
 
 @pytest.mark.parametrize("keeps_direction", [True, False])

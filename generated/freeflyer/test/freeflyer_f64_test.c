@@ -676,13 +676,26 @@ static int is_far(const double *found, const double *truth, int count, double al
     return 0;
 }
 
+/* Whether a force is at its limit: what is cut has no error, and has to be that limit exactly. */
+static int is_cut(const freeflyer_f64_command *command, int i)
+{
+    const double limit = freeflyer_f64_defaults.force_limit[i];
+    return command->force[i] >= limit || -command->force[i] >= limit;
+}
+
 static int is_untrue(const freeflyer_f64_case *one, const freeflyer_f64_command *command)
 {
     int far = 0;
+    int i;
     far |= is_far(command->force, one->truth.force, 6, one->allowed[0]);
     far |= is_far(command->s, one->truth.s, 6, one->allowed[1]);
     far |= is_far(command->nu_u, one->truth.nu_u, 6, one->allowed[2]);
     far |= is_far(command->nu_u_dot, one->truth.nu_u_dot, 6, one->allowed[3]);
+    for (i = 0; i < 6; i++) {
+        if (is_cut(command, i) || is_cut(&one->truth, i)) {
+            far |= is_far(&command->force[i], &one->truth.force[i], 1, 0.0);
+        }
+    }
     return far;
 }
 
