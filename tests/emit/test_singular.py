@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from derive.vehicle import Vehicle
-from tests.emit import subjects
 from tests.emit.cases import NONFINITE, RANGE, divides, good, is_tracking
 from tests.emit.subjects import GUARDED, group
 from tests.emit.test_guard import by_numpy, called, fuzzer, library
