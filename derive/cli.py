@@ -20,6 +20,7 @@ from derive.cli_simulate import simulate
 from derive.cli_sweep import sweep
 from derive.cli_theory import laws, prove
 from derive.terminal import (
+    BAD_INPUT,
     FINDING,
     AnyPath,
     cache,
@@ -31,10 +32,11 @@ from derive.terminal import (
     probe,
     spelled,
     stale,
+    unproved,
     warn,
 )
 
-BAD_INPUT, INTERRUPTED, NO_READER = 2, 130, 141
+INTERRUPTED, NO_READER = 130, 141
 
 
 @click.group(no_args_is_help=True, context_settings={"help_option_names": ["-h", "--help"]})
@@ -82,7 +84,8 @@ def emit(files: tuple[Path, ...], out: Path, no_cache: bool) -> None:
 def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
     """Compare what is generated with what the vehicle files give, byte for byte.
 
-    A page of evidence has to speak of the code that it lies beside, where there is one.
+    A page of evidence has to speak of the code that it lies beside, and be as it was written. Where
+    there is none, that is told, and is no finding.
     Without arguments: every vehicles/*.toml of the current folder.
     """
     from derive import pipeline
@@ -108,6 +111,8 @@ def check(files: tuple[Path, ...], out: Path, no_cache: bool) -> int:
     old = stale(vehicles, out)
     for line in old:
         click.echo(line)
+    if note := unproved(vehicles, out):
+        click.echo(note, err=True)
     return FINDING if drifted or old else 0
 
 

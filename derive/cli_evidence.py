@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from derive.terminal import (
+    BAD_INPUT,
     FINDING,
     AnyPath,
     cache,
@@ -81,9 +82,10 @@ def verify(
         dossier.refuse_without_c(vehicle)
     cached, show = cache(no_cache), progress()
     try:
-        report = pipeline.verify(
-            vehicle, cached, show, each=samples, seed=seed, with_mutants=mutants
-        )
+        with dossier.compiling(vehicle):
+            report = pipeline.verify(
+                vehicle, cached, show, each=samples, seed=seed, with_mutants=mutants
+            )
         if target:
             report = dossier.on_targets(vehicle, cached, report, show)
     finally:
@@ -121,19 +123,42 @@ def evidence(
 
     Without arguments: every vehicles/*.toml of the current folder. What was emitted has to be what
     the vehicle files give. A page that fits and has everything is not replaced by one that lacks
-    something: of a quick run, or where tools are missing. Some minutes a vehicle.
+    something: of a quick run, or where tools are missing. A vehicle that cannot be measured is told
+    and left out: exit code 2, and the others get their pages. Some minutes a vehicle.
     """
-    from derive import dossier
+    from derive.vehicle import InputError
 
-    vehicles, cached = loaded(files or everything()), cache(no_cache)
-    for vehicle in vehicles:
-        renewal = spelled("emit", [vehicle.source], out)
-        dossier.refuse_unready(vehicle, out, cached, renewal)
+    names = files or everything()
+    vehicles = _ready(names, out, cache(no_cache))
+    lost = [str(name) for name in names if str(name) not in {one.source for one in vehicles}]
     code = 0
     for vehicle in vehicles:
-        filed = _filed(vehicle, out, progress(), is_quick=quick, may_lose=allow_missing)
-        code = max(code, _told(filed, is_accepted=allow_missing))
-    return code
+        try:
+            filed = _filed(vehicle, out, progress(), is_quick=quick, may_lose=allow_missing)
+        except InputError as fault:
+            click.echo(fault, err=True)
+            lost.append(vehicle.source)
+        else:
+            code = max(code, _told(filed, is_accepted=allow_missing))
+    if lost and len(names) > 1:
+        click.echo(f"no page was written for {', '.join(lost)}: see above", err=True)
+    return BAD_INPUT if lost else code
+
+
+def _ready(files: tuple[Path, ...], out: Path, cached: Path | None) -> list[Vehicle]:
+    """The vehicles that can be measured; why another cannot is told, before the work."""
+    from derive import dossier
+    from derive.vehicle import InputError
+
+    vehicles = []
+    for file in files:
+        try:
+            (vehicle,) = loaded((file,))
+            dossier.refuse_unready(vehicle, out, cached, spelled("emit", [vehicle.source], out))
+            vehicles.append(vehicle)
+        except InputError as fault:
+            click.echo(fault, err=True)
+    return vehicles
 
 
 def _filed(

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
+from click.core import ParameterSource
 
 if TYPE_CHECKING:
     Kind = click.ParamType[Any]
@@ -75,6 +76,12 @@ class Count(Kind):
             if self.least <= found <= self.most:
                 return found
         raise refused(param, f"a whole number from {self.least} to {self.most}", word)
+
+
+def said(*names: str) -> list[str]:
+    """Those of these parameters that the command line gives, be it their default."""
+    source = click.get_current_context().get_parameter_source
+    return [name for name in names if source(name) is not ParameterSource.DEFAULT]
 
 
 def refused(param: Any, expected: str, found: str) -> Exception:

@@ -14,6 +14,7 @@ from derive.cli_loop import (
     backend_option,
     experiment_options,
     rate_option,
+    said,
     settle_option,
     start_options,
 )
@@ -50,15 +51,17 @@ def simulate(
     settle: float,
     out: Path | None,
     no_cache: bool,
-    **said: Any,
+    **written: Any,
 ) -> int:
     """Close the loop through the emitted code: pictures, numbers, and what must not break."""
     from derive import comparison, place, simulation
 
     (vehicle,) = loaded((file,))
-    given = {key: value for key, value in said.items() if value is not None}
+    given = {key: value for key, value in written.items() if value is not None}
     if scenario is not None:
-        _check_scenario(scenario, [*given, *(["seed"] if seed is not None else [])])
+        _check_scenario(scenario, [*given, *said("seed", "box", "speed", "settle")])
+    elif seed is None:
+        _check_start(said("box", "speed"))
     home = out or Path("simulated") / vehicle.name
     place.probe_folder(home)
     show = progress()
@@ -73,11 +76,11 @@ def simulate(
             flown = simulation.simulate(vehicle, cache(no_cache), asked, show)
             is_good, table = flown.ok, flown.table()
             files = simulation.documents(flown)
-        written = simulation.write(files, home)
+        paths = simulation.write(files, home)
     finally:
         show("")
-    click.echo(f"{table}\n\nwrote {len(written)} files to {home}")
-    if not any(path.suffix == ".png" for path in written):
+    click.echo(f"{table}\n\nwrote {len(paths)} files to {home}")
+    if not any(path.suffix == ".png" for path in paths):
         click.echo("no pictures: they need pip install 'gsmc-derive[plot]'", err=True)
     return 0 if is_good else FINDING
 
@@ -97,3 +100,15 @@ def _check_scenario(scenario: str, given: list[str]) -> None:
         remedy = "leave it out, or fly the vehicle file's own run without --scenario"
         expected = "no option of a run of one's own: the paper states its scenarios"
         raise InputError(PLACE, "--scenario", expected, found, remedy)
+
+
+def _check_start(given: list[str]) -> None:
+    """Raise InputError for options of a drawn start, where none is drawn."""
+    from derive.flight import option
+    from derive.vehicle import InputError
+
+    if given:
+        found = f"{', '.join(map(option, given))} without --seed"
+        remedy = "give a --seed; or leave it out, and write turn and nu below [simulate]"
+        expected = "a start that is drawn, from a --seed: this is what it lies in"
+        raise InputError(PLACE, option(given[0]), expected, found, remedy)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -21,13 +23,14 @@ UNLIKE = 1e-3  # of a configuration against the one its velocities lead to, from
 def course(vehicle: Vehicle, craft: Craft) -> Course:
     """The course of the vehicle's [reference]. Raises InputError."""
     written, space = vehicle.experiment.course, space_of(craft)
-    if craft.controller == "reaching" and written.kind != "rest":
-        expected, found = "rest: reaching follows no reference", f"kind = {written.kind}"
+    if not craft.has_reference and written.kind != "rest":
+        expected = f"rest: {craft.controller} follows no reference"
+        found = f"kind = {written.kind}"
         remedy = 'leave it out, or write controller = "gsmc"'
         raise InputError(vehicle.source, "reference", expected, found, remedy)
     if written.file is not None:
         return _of_file(written.file, space, float(vehicle.experiment.duration))
-    start = _start(vehicle, space)
+    start = _start(vehicle, craft, space)
     if written.kind == "rate":
         return Course("steady", start, (_floats(written.nu_r),))
     if written.kind == "slew":
@@ -35,11 +38,11 @@ def course(vehicle: Vehicle, craft: Craft) -> Course:
     return Course("rest", start, ((0.0,) * space.dim,))
 
 
-def _floats(values: object) -> tuple[float, ...]:
-    return tuple(map(float, values))  # type: ignore[call-overload]
+def _floats(values: Iterable[Fraction]) -> tuple[float, ...]:
+    return tuple(map(float, values))
 
 
-def _start(vehicle: Vehicle, space: Space) -> tuple[float, ...]:
+def _start(vehicle: Vehicle, craft: Craft, space: Space) -> tuple[float, ...]:
     """g_r(0), put onto the group where decimals have left it a little off."""
     given = _floats(vehicle.experiment.course.g_r)
     if not given:
@@ -48,10 +51,10 @@ def _start(vehicle: Vehicle, space: Space) -> tuple[float, ...]:
     if len(given) != space.size:
         expected = f"{space.size} numbers: {space.group.storage}"
         raise InputError(vehicle.source, "reference.g_r", expected, f"{len(given)}", remedy)
-    if vehicle.controller == "reaching" and given != tuple(space.identity[:, 0]):
+    if not craft.has_reference and given != tuple(space.identity[:, 0]):
+        expected = f"the identity: {craft.controller} goes there"
         remedy = 'leave it out, or write controller = "gsmc"'
-        raise InputError(vehicle.source, "reference.g_r", "the identity: reaching goes there",
-                         "another configuration", remedy)  # fmt: skip
+        raise InputError(vehicle.source, "reference.g_r", expected, "another configuration", remedy)
     residual = float(space.drift(np.array(given)[:, None])[0])
     if not residual <= OFF_GROUP:
         expected = f"a configuration of {space.group.name}, to {OFF_GROUP:g}"

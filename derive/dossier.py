@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from derive import folder, pipeline, place, selftest
 from derive.emit.drift import compare
-from derive.evidence.stamp import PAGE, is_page, outdated
+from derive.evidence.stamp import PAGE, Fault, fault, is_page
 from derive.vehicle import InputError, Vehicle
 
 if TYPE_CHECKING:
@@ -34,16 +35,21 @@ def page_of(package: Path) -> Path:
     return package / PAGE
 
 
-def stale(package: Path) -> str:
-    """Why the page in a package does not speak of the code there; nothing when it does, or is none.
+def is_bare(package: Path) -> bool:
+    """Whether a package is there, and nothing that has the name of its page."""
+    return package.is_dir() and not os.path.lexists(package / PAGE)
+
+
+def page_fault(package: Path) -> Fault | None:
+    """What is wrong with the page in a package; nothing where all is well, or is no page.
 
     Raises InputError.
     """
     if not is_page(package / PAGE):
-        return ""
+        return None
     with place.told(package, "a folder that can be read"):
         page = (package / PAGE).read_text(encoding="utf-8", errors="replace")
-        return outdated(page, folder.read(package))
+        return fault(page, folder.read(package))
 
 
 def refuse_unready(vehicle: Vehicle, out: Path, cached: Path | None, renewal: str) -> None:
@@ -86,7 +92,7 @@ def filed(evidence: Evidence, package: Path, *, may_lose: bool = False) -> Filed
 
     path = package / PAGE
     is_kept = False
-    if not evidence.is_whole and not may_lose and is_page(path) and not stale(package):
+    if not evidence.is_whole and not may_lose and is_page(path) and not page_fault(package):
         is_kept = WHOLE in path.read_text(encoding="utf-8", errors="replace")
     if not is_kept:
         place.save(path, page(evidence), "--out")
@@ -114,9 +120,28 @@ def refuse_without_c(vehicle: Vehicle) -> None:
 
 
 @contextmanager
+def compiling(vehicle: Vehicle) -> Iterator[None]:
+    """Turn a compiler that refuses what is emitted, or hangs, into an InputError."""
+    from derive.native.compile import CompileError
+
+    try:
+        yield
+    except CompileError as fault:
+        expected = "a C compiler that takes what is emitted"
+        found = str(fault).rstrip().replace("\n", "\n    ")
+        remedy = "mend the compiler, or put another before it on PATH: gcc or clang"
+        raise InputError(vehicle.source, "", expected, found, remedy) from fault
+
+
+@contextmanager
 def copied(name: str, texts: Mapping[str, str]) -> Iterator[Path]:
-    """A folder that holds a package by its name, for as long as it is measured."""
-    with tempfile.TemporaryDirectory(prefix="derive-") as scratch:
+    """A folder that holds a package by its name, while it is measured. Raises InputError."""
+    temporary, expected = Path(tempfile.gettempdir()), "room for what is built"
+    remedy = "make room there, or let TMPDIR name another folder"
+    with (
+        place.told(temporary, expected, "", remedy),
+        tempfile.TemporaryDirectory(prefix="derive-") as scratch,
+    ):
         folder.fill(Path(scratch) / name, texts)
         yield Path(scratch)
 

@@ -135,6 +135,10 @@ def _check_together(vehicle: Vehicle, given: Mapping[str, Any], rate: float | No
         expected, remedy = "at least one period in the duration", "raise the rate, or the duration"
         found = f"{rate:g} Hz over {float(asked.duration):g} s"
         raise InputError(*blamed(vehicle, given, "rate", "duration"), expected, found, remedy)
+    if "hertz" in given and "wave" not in given and not any(asked.wave):
+        expected, found = "a wave of that frequency", "no --wave, and none in the vehicle file"
+        remedy = "give its amplitude with --wave, or leave --hertz out"
+        raise InputError(PLACE, option("hertz"), expected, found, remedy)
     if any(asked.wave) and not asked.hertz:
         expected, found = "a frequency above 0 where there is a wave", "0 Hz: no force at all"
         remedy = "give its frequency; a constant force is a disturbance"

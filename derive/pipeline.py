@@ -243,5 +243,5 @@ def _values(vehicle: Vehicle) -> dict[str, Any]:
         "max_drift": vehicle.limits.drift,
         "hysteresis": vehicle.hysteresis,
         "is_own": vehicle.own is not None,
-        "has_reference": vehicle.controller != "reaching",
+        "has_reference": CONTROLLERS[vehicle.controller].has_reference,
     }

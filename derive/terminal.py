@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from derive.pipeline import Written
     from derive.vehicle import Vehicle
 
-FINDING = 1  # exit code
+FINDING, BAD_INPUT = 1, 2  # exit codes
 
 GENERATED = Path("generated")
 
@@ -96,16 +96,28 @@ def spelled(command: str, files: Sequence[str], out: Path) -> str:
 
 
 def stale(vehicles: Sequence[Vehicle], out: Path) -> list[str]:
-    """A line for every page of evidence that speaks of other code than it lies beside."""
+    """A line for every page of evidence that speaks of other code than is there, or was edited."""
     from derive import dossier
 
     found = []
     for vehicle in vehicles:
         page = dossier.page_of(out / vehicle.name)
-        if reason := dossier.stale(out / vehicle.name):
+        if fault := dossier.page_fault(out / vehicle.name):
             renewal = spelled("evidence", [vehicle.source], out)
-            found.append(f"stale {page}: {reason}; renew with: {renewal}")
+            found.append(f"{fault.word} {page}: {fault.reason}; renew with: {renewal}")
     return found
+
+
+def unproved(vehicles: Sequence[Vehicle], out: Path) -> str:
+    """A line for all packages that have no page of evidence, if there are any."""
+    from derive import dossier
+
+    bare = [one for one in vehicles if dossier.is_bare(out / one.name)]
+    if not bare:
+        return ""
+    pages = ", ".join(str(dossier.page_of(out / one.name)) for one in bare)
+    writing = spelled("evidence", [one.source for one in bare], out)
+    return f"note: no evidence yet, no {pages}; write with: {writing}"
 
 
 def warn(written: Sequence[Written]) -> None:

@@ -12,6 +12,8 @@ import pytest
 from derive import cli, dossier, folder, pipeline
 from derive.evidence import target, version
 from derive.evidence.emitted import Emitted
+from derive.evidence.gather import Evidence
+from derive.vehicle import InputError
 from derive.verify.check import Check, Report
 from derive.verify.limits import LIMITS
 from tests.command import derive, refused
@@ -76,11 +78,83 @@ def test_a_missing_tool_is_exit_1_unless_allowed(
     made.gathered(monkeypatch, made.LACKING)
     assert cli.run(["evidence", "body.toml"]) == 1
     said = capsys.readouterr()
-    assert "  not run: RV32 was not run: it is not here\n" in said.out
-    assert "get it with: apt install it" in said.out
+    words = "no-such-tool is not on PATH; get it with: apt install it"
+    assert said.out.splitlines()[1:] == [
+        "  not run: RV32: it is not here",
+        f"  not run: lacking, f32 and f64, in part: {words}",
+    ]
+    assert (package / PAGE).read_text().splitlines()[2].startswith("**This page is partial**: ")
     assert "--allow-missing accepts that" in said.err
     assert cli.run(["evidence", "body.toml", "--allow-missing"]) == 0
     assert capsys.readouterr().err == ""
+
+
+def test_a_package_without_a_page_is_told_and_is_no_finding(
+    package: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    other = Path("other.toml")
+    other.write_text(Path("body.toml").read_text().replace('"body"', '"other"'), encoding="utf-8")
+    assert cli.run(["check", "body.toml", "other.toml"]) == 1  # for what was never emitted
+    said = capsys.readouterr()
+    assert said.err == (
+        "note: no evidence yet, no generated/body/EVIDENCE.md; "
+        "write with: derive evidence body.toml\n"
+    )
+    assert cli.run(["check", "body.toml"]) == 0
+    assert capsys.readouterr() == ("same generated/body\n", said.err)
+    made.gathered(monkeypatch, made.GOOD)
+    assert cli.run(["evidence", "body.toml"]) == cli.run(["check", "body.toml"]) == 0
+    assert "note" not in capsys.readouterr().err
+
+
+def test_a_page_that_was_edited_is_told_and_not_worth_keeping(
+    package: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    made.gathered(monkeypatch, made.GOOD)
+    cli.run(["evidence", "body.toml"])
+    page = package / PAGE
+    page.write_text(page.read_text().replace("1234 B", "1233 B", 1), encoding="utf-8")
+    capsys.readouterr()
+    assert cli.run(["check", "body.toml"]) == 1
+    assert capsys.readouterr() == (
+        "same generated/body\n"
+        "edited generated/body/EVIDENCE.md: its last line gives another digest; "
+        "renew with: derive evidence body.toml\n",
+        "",
+    )
+    assert cli.run(["evidence", "body.toml", "--quick"]) == 0
+    assert capsys.readouterr().out.startswith("wrote ")
+    assert cli.run(["check", "body.toml"]) == 0
+
+
+def test_a_vehicle_that_cannot_be_measured_costs_the_others_nothing(
+    package: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    made.gathered(monkeypatch, made.GOOD)
+    Path("bad.toml").write_text("group = 3", encoding="utf-8")
+    text = Path("body.toml").read_text()
+    for name in ("third", "fourth"):
+        Path(f"{name}.toml").write_text(text.replace('"body"', f'"{name}"'), encoding="utf-8")
+    cli.run(["emit", "fourth.toml"])
+    capsys.readouterr()
+    filed = dossier.filed
+
+    def full(found: Evidence, place: Path, **options: bool) -> dossier.Filed:
+        if place.name == "fourth":
+            raise InputError(str(place), "--out", "room", "none", "make some")
+        return filed(found, place, **options)
+
+    monkeypatch.setattr(dossier, "filed", full)
+    files = ("bad.toml", "third.toml", "fourth.toml", "body.toml")
+    assert cli.run(["evidence", *files]) == 2
+    said = capsys.readouterr()
+    assert said.out == "wrote generated/body/EVIDENCE.md (4 checks, 0 failed)\n"
+    heads = [line for line in said.err.splitlines() if line[0] != " "]
+    assert [line.partition(":")[0] for line in heads] == [
+        "bad.toml", "generated/third", "generated/fourth",
+        "no page was written for bad.toml, third.toml, fourth.toml",
+    ]  # fmt: skip
+    assert "found:    no such folder\n" in said.err
 
 
 @pytest.mark.parametrize("less", ["missing", "quick"])
@@ -208,6 +282,20 @@ def test_verify_runs_targets_when_asked(
     assert cli.run(["verify", str(body), "--target"]) == 1
     assert "not checked: RV32 was not run: get it with: apt\n" in capsys.readouterr().out
     assert cli.run(["verify", str(body), "--target", "--allow-missing"]) == 0
+
+
+def test_a_compiler_that_fails_is_told_with_its_words(
+    body: Path, home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "bin"
+    broken.mkdir()
+    (broken / "cc").write_text("#!/bin/sh\necho out of luck >&2\nexit 1\n", encoding="utf-8")
+    (broken / "cc").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{broken}:{os.environ['PATH']}")
+    told = refused(body.parent, "verify", body.name, "--target", "--samples", "1", home=home)
+    assert told.startswith("body.toml\n  expected: a C compiler that takes what is emitted\n")
+    assert f"command: {broken}/cc -std=c99" in told
+    assert "out of luck\n" in told
 
 
 def test_a_vehicle_without_c_has_no_targets(body: Path, home: Path) -> None:

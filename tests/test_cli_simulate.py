@@ -91,6 +91,13 @@ def test_a_seed_is_a_run(flown: Command) -> None:
     assert first.splitlines()[3] != other.splitlines()[3]
 
 
+def test_options_of_a_draw_and_of_a_wave_are_taken_beside_it(flown: Command) -> None:
+    drawn, slow = (flown(*SHORT, "--seed", "3", "--speed", one) for one in ("0.5", "0.1"))
+    assert (drawn.code, slow.code) == (0, 0)
+    assert figures(drawn.out)["peak |nu_e|"] != figures(slow.out)["peak |nu_e|"]
+    assert flown(*SHORT, "--wave", "0", "--hertz", "2").code == 0
+
+
 def test_every_backend_comes_to_the_same(flown: Command) -> None:
     tables = [flown(*SHORT, "--backend", one).out for one in ("f64", "numpy", "f32")]
     assert tables[0].split("\n", 1)[0] == tables[1].split("\n", 1)[0].replace("numpy", "f64")
@@ -155,6 +162,15 @@ BAD = [
     (("--disturbance", "1,,2"), "--disturbance", "a number", "nothing"),
     (("--force-limit", "0"), "--force-limit", "above 0", "0"),
     (("--wave", "1"), "command line: --wave", "above 0 where there is a wave", "no force at all"),
+    (("--hertz", "2"), "command line: --hertz", "a wave of that frequency", "no --wave"),
+    (("--box", "1"), "command line: --box", "a --seed", "--box without --seed"),
+    (("--speed", "2"), "command line: --speed", "a --seed", "--speed without --seed"),
+    (
+        ("--scenario", "1", "--settle", "0.1", "--box", "1"),
+        "command line: --scenario",
+        "no option of a run of one's own",
+        "--box, --settle",
+    ),
     (("--hertz", "-1"), "--hertz", "from 0", "-1"),
     (
         ("--rate", "1", "--duration", "0.5"),

@@ -46,6 +46,11 @@ class Controller:
         """Whether it is one of those the paper compares with: its error is its own, no rate."""
         return self.law is not None
 
+    @property
+    def has_reference(self) -> bool:
+        """Whether what `control` guards follows a reference; if not, it goes to rest at e."""
+        return self.routines[0] == "tracking"
+
     def exists_on(self, group: str) -> bool:
         """Whether it exists on the group of that name."""
         return not self.groups or group in self.groups

@@ -30,10 +30,15 @@ def conditions(data: Data) -> dict[str, Any]:
         "given": within if data["saturation"] else finite,
         "within": within,
         "usable": [one for pair in zip(finite, limits, strict=True) for one in pair],
-        "bound_of": {
-            one["member"]: "MAX_RATE" if one["unit"] == "1/s" else "MAX_PARAM"
-            for one in _held(data, "params")
-        },
+        "bound_of": gain_bounds(data),
+    }
+
+
+def gain_bounds(data: Data) -> dict[str, str]:
+    """Name of the largest value of each gain, in any language."""
+    return {
+        one["member"]: "MAX_RATE" if one["unit"] == "1/s" else "MAX_PARAM"
+        for one in _held(data, "params")
     }
 
 

@@ -14,6 +14,10 @@ LONGEST = 60
 """Lines from a function's opening brace to its closing one beyond which it needs a reason."""
 
 
+CATEGORIES = {"8.7": "advisory", "12.1": "advisory", "12.3": "advisory", "15.5": "advisory"}
+"""MISRA C:2012's category of each rule below. No deviation from a mandatory rule is permitted."""
+
+
 @dataclass(frozen=True)
 class Deviation:
     """A rule that is departed from.
@@ -28,6 +32,11 @@ class Deviation:
     where: str
     statement: str
     why: str
+
+    @property
+    def category(self) -> str:
+        """Advisory, required or mandatory; KeyError for a rule whose category nobody has said."""
+        return CATEGORIES[self.rule]
 
 
 DEVIATIONS = (

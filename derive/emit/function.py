@@ -14,6 +14,7 @@ import numpy as np
 
 from derive.emit import printer
 from derive.emit.printed import Printed, kernels, routine
+from derive.emit.statement import choice
 from derive.routine.derivation import Derivation, Quantity
 
 Array = Any  # a numpy array, or what np.asarray makes one of
@@ -100,13 +101,7 @@ def _step(step: Printed) -> Iterator[str]:
     """Assignments of one step, after a comment that says what it is."""
     yield f"# {step['name']}: {step['doc']} [{step['unit']}]"
     yield from (f"{name} = {value}" for name, value in step["lines"])
-    *cases, last = step["cases"] or [None]
-    for place, case in enumerate(cases):
-        yield f"{step['name']}_if_{place} = {case['condition']}"
-    for row, (name, otherwise) in enumerate(last["lines"] if last else ()):
-        chosen = (f"np.where({step['name']}_if_{place}, {case['lines'][row][1]}, "
-                  for place, case in enumerate(cases))  # fmt: skip
-        yield f"{name} = {''.join(chosen)}{otherwise}{')' * len(cases)}"
+    yield from (f"{name} = {value}" for name, value in choice(step))
 
 
 def _row(quantity: Quantity, value: Array) -> Array:

@@ -14,9 +14,9 @@ from fractions import Fraction
 from itertools import cycle
 from typing import Any
 
+from derive.emit.layout import fold
 from derive.emit.literal import exact, nearest
 from derive.emit.program import ERROR, PAST, Given, Limit, Routine, bits, limited, pack, run
-from derive.emit.render import fold
 from derive.emit.side import axis, steps
 from derive.emit.status import FIRST_BAD, STATUSES
 
@@ -107,6 +107,7 @@ def selftest(
     return {
         "cases": [_case(code, row) for row in rows],
         "bare": [one["name"] for one in code.bare],
+        "with_null": _with_null(printed, f"{values['name']}_{scalar}"),
         "outputs": list(code.size),
         "word": WORDS[scalar],
         "width": 8 * len(pack(nothing, scalar)) // len(nothing),
@@ -119,6 +120,14 @@ def selftest(
         **_sided(values, scalar),
         "first_good": next(i for i, row in enumerate(rows) if VALUE[row["status"]] < FIRST_BAD),
     }
+
+
+def _with_null(printed: Mapping[str, Any], name: str) -> list[list[str]]:
+    """Arguments of control, each time with another pointer that is null."""
+    holders = [one for one in printed["main"]["holders"] if one != "params"]
+    written = (f"&{one}" for one in printed["main"]["guarded_writes"])
+    good = [f"&{name}_defaults", *(f"&one->{one}" for one in holders), *written]
+    return [[*good[:i], "NULL", *good[i + 1 :]] for i in range(len(good))]
 
 
 def _sided(values: Mapping[str, Any], scalar: str) -> dict[str, Any]:

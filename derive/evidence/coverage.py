@@ -12,7 +12,7 @@ from typing import Any
 from derive.emit.render import environment
 from derive.evidence import driver
 from derive.evidence.emitted import Emitted
-from derive.evidence.tool import Tool, ToolFailed, run
+from derive.evidence.tool import Tool, ToolFailed, need, run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
@@ -54,6 +54,7 @@ def coverage(emitted: Emitted, folder: Path) -> tuple[Check, ...]:
 
     The checks for null pointers are switched on: they are there for the self-test alone.
     """
+    need(GCC, GCOV)
     test = emitted.folder / "test"
     main = _alone(emitted, folder)
     flags = (f"-I{test.absolute()}", f"-D{emitted.name.upper()}_CHECK_POINTERS")

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 
 from derive.evidence.analysed import places
 from derive.evidence.emitted import Emitted
-from derive.evidence.eva import is_clean
+from derive.evidence.eva import FRAMA_C, PREPROCESSOR, is_clean
 from derive.evidence.limit import is_limited, unproved
+from derive.evidence.tool import need
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
@@ -112,6 +113,7 @@ def teeth(emitted: Emitted) -> Check:
 
     A source that has findings as it is would catch everything: it is refused.
     """
+    need(FRAMA_C, PREPROCESSOR)
     source = emitted.source.read_text(encoding="utf-8")
     defects = applicable(source)
     texts = [source, *(edited(one, emitted, source) for one in defects)]

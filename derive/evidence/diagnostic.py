@@ -8,7 +8,7 @@ from pathlib import Path
 
 from derive.emit.deviation import LONGEST
 from derive.evidence.emitted import FLAGS, Emitted
-from derive.evidence.tool import Tool, run
+from derive.evidence.tool import Tool, absent, need, run
 from derive.native.compile import WARNINGS_C
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
@@ -47,10 +47,14 @@ _LONG = re.compile(r"warning: function '(\w+)' exceeds.*?\n(?:.*\n){2}.*note: (\
 
 
 def compiled(one: Emitted) -> Iterator[Check]:
-    """Warnings of each compiler; raises ToolMissing, ToolFailed."""
+    """Warnings of each compiler that is here, then ToolMissing for the others; ToolFailed."""
+    lost = tuple(absent(tuple(COMPILERS.values())))
     for name, tool in COMPILERS.items():
+        if tool in lost:
+            continue
         said = [line for file in units(one) for line in _warned(one, name, tool, file)]
         yield _none(f"{name}: warnings", one, said, len(units(one)))
+    need(*lost)
 
 
 def units(one: Emitted) -> tuple[Path, ...]:

@@ -24,11 +24,13 @@ from derive.evidence.emitted import Emitted
 from derive.evidence.entry import ANY_BITS, IN_RANGE, SLICED, Start, driver_of
 from derive.evidence.interface import interface
 from derive.evidence.quaternion import is_sliced
-from derive.evidence.tool import Tool, run
+from derive.evidence.tool import Tool, need, run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
-FRAMA_C = Tool("frama-c", "apt-get install frama-c-base")
+FRAMA_C = Tool("frama-c", "apt install frama-c-base")
+PREPROCESSOR = Tool("gcc", "apt install gcc")
+"""Which frama-c calls."""
 SECONDS = 300.0
 """One run has to be done by then; it takes 1 to 5."""
 
@@ -79,6 +81,7 @@ class Found:
 
 def proofs(emitted: Emitted) -> Iterator[Check]:
     """The records of both runs; raises ToolMissing, ToolFailed, OSError, ValueError."""
+    need(FRAMA_C, PREPROCESSOR)
     source = emitted.source.read_text(encoding="utf-8")
     free = ran(emitted, source, ANY_BITS)
     at, lines = places(source), len(tuple(statements(source)))

@@ -16,7 +16,7 @@ from derive.verify.limits import LIMITS
 from derive.verify.plant import Plant
 
 CLANG = Tool("clang", "apt install clang libclang-rt-14-dev")
-RUNTIME = Tool("clang's libFuzzer", CLANG.install)
+RUNTIME = Tool("libFuzzer", CLANG.install, "beside clang")
 
 SANITIZERS = "fuzzer,address,undefined,float-divide-by-zero"
 """The last is not among `undefined`: IEEE defines it, and flight code has no use for it."""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from derive.evidence import bound, coverage, defect, eva, flip, fuzz, limit, rule, target
+from derive.evidence import bound, coverage, defect, eva, flip, fuzz, limit, target
 from derive.evidence.emitted import Emitted
+from derive.evidence.lack import Lack
+from derive.evidence.rule import RULES, Rule
 from derive.verify import run
 from derive.verify.check import Check
 from derive.verify.plant import Plant
@@ -42,14 +44,14 @@ class Work:
 
 @dataclass(frozen=True)
 class Step:
-    """One measurement. run: gives its checks, and in words what could not be run here.
+    """One measurement. run: gives its checks, and what could not be run here.
 
     is_crew: it takes the whole package, and the whole machine; else one scalar, on one core
     quick: what a quick run leaves out
     """
 
     name: str
-    run: Callable[[Work, Sequence[Emitted]], Iterator[Check | str]]
+    run: Callable[[Work, Sequence[Emitted]], Iterator[Check | Lack]]
     is_crew: bool = False
     quick: str = ""
 
@@ -62,61 +64,68 @@ class Kind:
     steps: tuple[Step, ...]
 
 
-def _accuracy(work: Work, _: Sequence[Emitted]) -> Iterator[Check | str]:
+def _accuracy(work: Work, _: Sequence[Emitted]) -> Iterator[Check | Lack]:
     report = run.run(work.name, work.texts, work.plant, progress=work.progress)
     yield from report.checks
-    yield from report.skipped
+    for text in report.skipped:
+        where, why = text.split(": ", 1)  # C f64 and f32
+        tools = ("cc, gcc or clang",)
+        yield Lack(f"accuracy of {where}", tools, why, is_part=bool(report.checks))
 
 
-def _proofs(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _proofs(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         yield from eva.proofs(one)
         if limit.is_limited(one):
             yield limit.limits(one)
 
 
-def _teeth(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _teeth(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in () if work.is_quick else packages:
         work.progress(f"seeded defects, {one.scalar}")
         yield defect.teeth(one)
 
 
-def _bounds(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _bounds(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         yield from bound.bounds(one)
 
 
-def _maxima(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _maxima(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         yield from bound.maxima(one, QUICK_STEP if work.is_quick else 1)
 
 
-def _fuzz(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _fuzz(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         runs = QUICK_RUNS if work.is_quick else fuzz.RUNS
         yield from fuzz.fuzz(one, work.plant, work.place(one, "fuzz"), runs)
 
 
-def _flip(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _flip(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         yield from flip.flip(one, work.plant, work.place(one, "flip"))
 
 
-def _coverage(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _coverage(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     for one in packages:
         yield from coverage.coverage(one, work.place(one, "coverage"))
 
 
-def _targets(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
+def _targets(work: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
     yield from target.targets(packages, work.progress)
-    yield from target.missing() if packages else ()
+    for one in target.lacks() if packages else ():
+        yield replace(one, what=f"target {one.what}")
 
 
-def _rules(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | str]:
-    for one in packages:
-        checks, missing = rule.rules(one)
-        yield from checks
-        yield from missing
+def held(name: str, rule: Rule) -> Step:
+    """A rule as a step of its own: a tool that is missing or breaks down spares the others."""
+
+    def run(_: Work, packages: Sequence[Emitted]) -> Iterator[Check | Lack]:
+        for one in packages:
+            yield from rule(one)
+
+    return Step(name, run)
 
 
 KINDS = (
@@ -136,6 +145,6 @@ KINDS = (
         Step("bit flips", _flip),
         Step("coverage", _coverage),
     )),
-    Kind("rule", (Step("rules", _rules),)),
+    Kind("rule", tuple(held(*item) for item in RULES.items())),
 )  # fmt: skip
 """In the order of the page."""

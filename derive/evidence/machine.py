@@ -52,7 +52,13 @@ class Machine:
     @property
     def tools(self) -> tuple[Tool, ...]:
         """All it needs."""
-        return (self.compiler, self.emulator) if self.emulator else (self.compiler,)
+        sizer = (self.sizer,) if self.measured else ()
+        return (self.compiler, *((self.emulator,) if self.emulator else ()), *sizer)
+
+    @property
+    def sizer(self) -> Tool:
+        """The tool that comes with the compiler and tells section sizes."""
+        return Tool(self.compiler.command.replace("gcc", "size"), self.compiler.install)
 
 
 def _cortex(name: str, core: str, unit: str, board: str, scalars: tuple[str, ...],

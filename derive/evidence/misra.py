@@ -30,7 +30,7 @@ OPTIONS = (
 )
 """How it is asked. Each scalar is asked about alone: both in one run are taken for one program."""
 
-_ROW = re.compile(r"^\| (\d+\.\d+) \| (.+?) \|", re.MULTILINE)
+_ROW = re.compile(r"^\| (\d+\.\d+) \| \w+ \| (.+?) \|", re.MULTILINE)
 
 
 @dataclass(frozen=True)

@@ -6,15 +6,15 @@ same bytes.
 
 from __future__ import annotations
 
-import re
 import tomllib
-from collections.abc import Sequence
 from typing import Any
 
 from derive import __version__
 from derive.emit.render import environment
-from derive.evidence.gather import Evidence
-from derive.evidence.stamp import hashes
+from derive.evidence.gather import Evidence, Section
+from derive.evidence.lack import Lack
+from derive.evidence.markdown import quoted, shown, table
+from derive.evidence.stamp import hashes, sealed
 from derive.evidence.summary import lines
 from derive.evidence.version import versions
 from derive.verify.check import Check, figure
@@ -23,8 +23,11 @@ from derive.verify.limits import Limit
 WHOLE = "Everything was run."
 """In the first lines of a page that lacks nothing."""
 
-LESS = "**Not everything was run**: what is left out stands at the end."
-"""In those of another."""
+LESS = "**This page is partial**: not everything was run."
+"""The first line of another."""
+
+LACKING = {False: "**not run**", True: "**in part**"}
+"""In the place of a result, by whether some of it was run."""
 
 LISTED = 12
 """Details of a check that are shown at most."""
@@ -34,7 +37,6 @@ SHORT = 300
 
 SCALARS = {"f32": "float (f32)", "f64": "double (f64)"}
 
-_PLACE = re.compile(r"(?<![\w/.)\]])/(?:[\w.+-]+/)+")
 _HEAD = ("check", "on", "measured", "at most", "of", "result", "worst at")
 
 
@@ -42,60 +44,61 @@ def page(evidence: Evidence) -> str:
     """The page."""
     work = evidence.work
     facts = tomllib.loads(work.texts["MANIFEST.toml"])
-    return environment().get_template("evidence/EVIDENCE.md.jinja").render(
+    text = environment().get_template("evidence/EVIDENCE.md.jinja").render(
         name=work.name,
         version=__version__,
         facts=facts,
         scalars=" and ".join(SCALARS[one.scalar] for one in work.packages),
-        hashes=table(("file", "SHA-256"), [_quoted(*row) for row in hashes(work.texts).items()]),
+        hashes=table(("file", "SHA-256"), [quoted(*row) for row in hashes(work.texts).items()]),
         count=len(evidence.all_checks),
         failed=[_failure(work.name, check) for check in evidence.failed],
-        whole=WHOLE if evidence.is_whole else LESS,
+        whole=f" {WHOLE}" if evidence.is_whole else "",
+        partial="" if evidence.is_whole else _partial(evidence),
         summary=table(("promise", "at most", "measured", "of", "result"), _summary(evidence)),
-        kinds=[_section(evidence, kind.key, checks) for kind, checks in evidence.checks],
-        missing=[shown(text) for text in evidence.missing],
+        kinds=[_section(work.name, section) for section in evidence.sections],
+        missing=[shown(str(one)) for one in evidence.missing],
         left_out=evidence.left_out,
         versions=table(("tool", "version", "for"), versions()),
     )  # fmt: skip
+    return sealed(text)
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table of Markdown, its columns but the last one below the other for who reads the text."""
-    both = [head, *rows]
-    widths = [max(3, *(len(row[i]) for row in both)) for i in range(len(head) - 1)]
-    rule = ["-" * width for width in (*widths, 3)]
-    return "\n".join(_joined(row, (*widths, 0)) for row in (head, rule, *rows))
-
-
-def _joined(row: Sequence[str], widths: Sequence[int]) -> str:
-    return f"| {' | '.join(f'{cell:{width}}' for cell, width in zip(row, widths, strict=True))} |"
-
-
-def shown(text: str) -> str:
-    """Words of a tool as they can stand in a table: one line, no markup, no place of a file."""
-    line = " ".join(_PLACE.sub("", text).split())
-    return re.sub(r"([|*<\\`])", r"\\\1", line)
-
-
-def _quoted(*words: str) -> tuple[str, ...]:
-    return tuple(f"`{word}`" for word in words)
+def _partial(evidence: Evidence) -> str:
+    """What the page lacks, in a sentence."""
+    tools = dict.fromkeys(tool for one in evidence.missing for tool in one.tools)
+    reasons = []
+    if tools:
+        reasons.append(f"{len(evidence.missing)} measurements for want of {', '.join(tools)}")
+    if evidence.left_out:
+        reasons.append(f"{len(evidence.left_out)} for a quick run")
+    return f"{LESS} Missing, whole or in part: {'; '.join(reasons)}. See the end of the page."
 
 
 def _summary(evidence: Evidence) -> list[tuple[str, ...]]:
-    return [
+    rows: list[tuple[str, ...]] = [
         (line.promise.text, _limit(line.worst.limit), _measured(line.worst),
          f"{line.samples:,}", _verdict(line.worst))
         for line in lines(evidence.all_checks)
     ]  # fmt: skip
+    for one in evidence.missing:
+        what = f"{shown(one.what)}: no {' and no '.join(one.tools)} here"
+        rows.append((what, "", "", "", LACKING[one.is_part]))
+    return rows
 
 
-def _section(evidence: Evidence, key: str, checks: Sequence[Check]) -> dict[str, Any]:
-    name = evidence.work.name
+def _section(name: str, section: Section) -> dict[str, Any]:
+    checks = section.checks
+    rows = [*(_row(name, check) for check in checks), *map(_lacking, section.missing)]
     return {
-        "key": key,
-        "table": table(_HEAD, [_row(name, check) for check in checks]) if checks else "",
+        "key": section.kind.key,
+        "table": table(_HEAD, rows) if rows else "",
         "details": [_details(name, check) for check in checks if len(check.details) > 1],
     }
+
+
+def _lacking(one: Lack) -> tuple[str, ...]:
+    """The row of what was not measured."""
+    return shown(one.what), one.subject, "", "", "", LACKING[one.is_part], shown(one.why)
 
 
 def _details(name: str, check: Check) -> dict[str, Any]:

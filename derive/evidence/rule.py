@@ -1,4 +1,4 @@
-"""The rules that emitted C is held to, each by a tool of its own; a missing one spares the rest."""
+"""The rules that emitted C is held to, each by a tool of its own."""
 
 from __future__ import annotations
 
@@ -9,29 +9,17 @@ from derive.evidence.documentation import documented
 from derive.evidence.emitted import Emitted
 from derive.evidence.misra import misra
 from derive.evidence.symbol import symbols
-from derive.evidence.tool import ToolMissing
 from derive.verify.check import Check
 
-KINDS: tuple[tuple[str, Callable[[Emitted], Iterator[Check]]], ...] = (
-    ("compilers", compiled),
-    ("clang-tidy", tidied),
-    ("MISRA C:2012", misra),
-    ("symbols", symbols),
-    ("doxygen", documented),
-)
+Rule = Callable[[Emitted], Iterator[Check]]
+"""Gives the checks of one scalar; raises ToolMissing, also after checks that came before it, and
+ToolFailed when a tool breaks down: that is no evidence of anything."""
+
+RULES: dict[str, Rule] = {
+    "warnings of compilers": compiled,
+    "clang-tidy": tidied,
+    "MISRA C:2012": misra,
+    "symbols": symbols,
+    "doxygen": documented,
+}
 """What is looked at, and by what."""
-
-
-def rules(one: Emitted) -> tuple[tuple[Check, ...], tuple[str, ...]]:
-    """The checks of one scalar, and what could not be run here, with how to get it.
-
-    Raises ToolFailed when a tool breaks down: that is no evidence of anything.
-    """
-    checks: list[Check] = []
-    missing: list[str] = []
-    for name, kind in KINDS:
-        try:
-            checks.extend(kind(one))  # one after the other: what came before a missing tool stays
-        except ToolMissing as reason:
-            missing.append(f"{name}, {one.scalar}: {reason}")
-    return tuple(checks), tuple(missing)

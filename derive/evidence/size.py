@@ -9,7 +9,7 @@ from derive.evidence.emitted import Emitted
 from derive.evidence.firmware import SECONDS, compiled, routines
 from derive.evidence.machine import Machine
 from derive.evidence.promise import promise
-from derive.evidence.tool import Tool, run
+from derive.evidence.tool import run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
@@ -46,9 +46,7 @@ def linked(emitted: Emitted, machine: Machine, folder: Path,
          f"-Wl,-e,{emitted.prefix}_{kept[0]}", str(emitted.source), "-lm", "-o", str(elf)],
         SECONDS, folder,
     )  # fmt: skip
-    size = Tool(machine.compiler.command.replace("gcc", "size"), machine.compiler.install)
-    said = run([size.path, "-A", str(elf)], SECONDS, folder)
-    return _read(said)
+    return _read(run([machine.sizer.path, "-A", str(elf)], SECONDS, folder))
 
 
 def _read(said: str) -> dict[str, int]:

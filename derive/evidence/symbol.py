@@ -15,7 +15,7 @@ from pathlib import Path
 
 from derive.evidence.diagnostic import COMPILERS, MACHINE
 from derive.evidence.emitted import FLAGS, Emitted
-from derive.evidence.tool import Tool, run
+from derive.evidence.tool import Tool, absent, need, run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
@@ -46,7 +46,13 @@ class Object:
 
 
 def symbols(one: Emitted) -> Iterator[Check]:
-    """Calls, kept data, names, loops of calls; raises ToolMissing, ToolFailed."""
+    """Calls, kept data, names, loops of calls, by the compilers that are here.
+
+    Raises ToolMissing for the others in the end, or at once where there is nothing to go by;
+    ToolFailed.
+    """
+    lost = tuple(absent(tuple(COMPILERS.values())))
+    need(NM, COMPILERS["gcc"])  # which draws the graph of calls
     with tempfile.TemporaryDirectory() as scratch:
         objects = [*_objects(one, Path(scratch))]
         calls = _calls(one, Path(scratch))
@@ -62,10 +68,12 @@ def symbols(one: Emitted) -> Iterator[Check]:
     yield _none("functions that call themselves", one, recursive(calls), len(calls))
     through = sorted(name for name, called in calls.items() if "__indirect_call" in called)
     yield _none("calls through a pointer", one, through, len(calls))
+    need(*lost)
 
 
 def _objects(one: Emitted, scratch: Path) -> Iterator[Object]:
-    for name, tool in COMPILERS.items():
+    here = {name: tool for name, tool in COMPILERS.items() if not [*absent([tool])]}
+    for name, tool in here.items():
         for level in LEVELS:
             place = scratch / "it.o"
             flags = (*FLAGS, level, *MACHINE[name], f"-I{one.include}")

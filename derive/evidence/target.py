@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -14,8 +13,9 @@ from derive.evidence import bits, cost, size, stack
 from derive.evidence.board import SECONDS, Reading, read
 from derive.evidence.emitted import Emitted
 from derive.evidence.firmware import Image, build
+from derive.evidence.lack import Lack, lack
 from derive.evidence.machine import LEVELS, MACHINES, Machine
-from derive.evidence.tool import ToolFailed, ToolMissing, run
+from derive.evidence.tool import Tool, ToolFailed, ToolMissing, need, run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
@@ -33,8 +33,12 @@ class Outcome:
 
 def missing(machines: Sequence[Machine] = MACHINES) -> tuple[str, ...]:
     """For each machine on which nothing can be run here: not run, the reason, and what to do."""
-    reasons = ((machine.name, _lack(machine)) for machine in machines)
-    return tuple(f"{name} was not run: {reason}" for name, reason in reasons if reason)
+    return tuple(f"{one.what} was not run: {one.why}" for one in lacks(machines))
+
+
+def lacks(machines: Sequence[Machine] = MACHINES) -> tuple[Lack, ...]:
+    """The same as records."""
+    return tuple(found for machine in machines if (found := _lack(machine)))
 
 
 def targets(
@@ -48,8 +52,10 @@ def targets(
 
     seconds: after which an emulator is ended
     A compiler or an emulator that fails, or does not end, is a check that fails and says so;
-    the others go on. Packages are only read.
+    the others go on. Packages are only read. Raises NotEmitted.
     """
+    for emitted in packages:
+        emitted.refuse_absent()
     present = [machine for machine in machines if not _lack(machine)]
     pool = ThreadPoolExecutor(os.cpu_count())
     try:
@@ -87,7 +93,7 @@ def _outcome(image: Image, seconds: float) -> Outcome:
             (graph,) = folder.glob(f"*{image.emitted.prefix}.ci")
             sizes = tuple(size.checks(image.emitted, image.machine, folder))
             return Outcome(image, reading, graph.read_text(encoding="utf-8"), sizes)
-        except (ToolFailed, ToolMissing) as error:
+        except (ToolFailed, ToolMissing, OSError) as error:
             return Outcome(image, why=" | ".join(str(error).split("\n")))
 
 
@@ -117,21 +123,24 @@ def _built(outcomes: Sequence[Outcome]) -> Check:
     )  # fmt: skip
 
 
-def _lack(machine: Machine) -> str:
-    """What is missing for a machine, and how to get it; empty when all is here."""
+def _lack(machine: Machine) -> Lack | None:
+    """What is missing for a machine, and how to get it; nothing when all is here."""
     try:
-        paths = [tool.path for tool in machine.tools]
+        need(*machine.tools)
+        if machine.needs and not _has(machine.compiler.path, machine.needs):
+            where = f"where {machine.compiler.command} looks for it"
+            raise ToolMissing(Tool(machine.needs, machine.compiler.install, where))
     except ToolMissing as error:
-        return str(error)
-    if machine.needs and not _has(paths[0], machine.needs):
-        install = machine.compiler.install
-        return f"{machine.compiler.command} has no {machine.needs}; get it with: {install}"
-    return ""
+        return lack(machine.name, error, (), is_part=False)
+    return None
 
 
 def _has(compiler: str, file: str) -> bool:
-    """Whether a compiler finds a file of its library: it answers with a path, not with the name."""
+    """Whether a compiler finds a file of its library: it answers with a path, not with the name.
+
+    One that does not answer is not missing: what is built with it tells its words.
+    """
     try:
         return run([compiler, f"-print-file-name={file}"], 10).strip() != file
-    except (ToolFailed, subprocess.SubprocessError, OSError):
-        return False
+    except (ToolFailed, OSError):
+        return True

@@ -8,11 +8,14 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 SAID = 2000  # characters of a tool's last words that are kept
+GRACE = 5.0
+"""Seconds for the last words of what was killed: a child that left its group may hold them open."""
 
 
 @dataclass(frozen=True)
@@ -20,10 +23,12 @@ class Tool:
     """A command, and the packages that bring it.
 
     install: what a person types to get it
+    where:   it has to be: on PATH, or what else its maker calls being there
     """
 
     command: str
     install: str
+    where: str = "on PATH"
 
     @property
     def path(self) -> str:
@@ -36,11 +41,13 @@ class Tool:
 
 
 class ToolMissing(Exception):
-    """A tool is not on PATH; what to do is in the text."""
+    """Tools are not here; what to do is in the text."""
 
-    def __init__(self, tool: Tool) -> None:
-        self.tool = tool
-        super().__init__(f"{tool.command} is not on PATH; get it with: {tool.install}")
+    def __init__(self, *tools: Tool) -> None:
+        self.tools = tools
+        super().__init__("; ".join(
+            f"{one.command} is not {one.where}; get it with: {one.install}" for one in tools
+        ))  # fmt: skip
 
 
 class ToolFailed(Exception):
@@ -49,6 +56,21 @@ class ToolFailed(Exception):
     def __init__(self, command: Sequence[str], why: str, said: str) -> None:
         self.command, self.why, self.said = tuple(command), why, said[-SAID:]
         super().__init__(f"{command[0]} {why}\n  command: {shlex.join(command)}\n{self.said}")
+
+
+def need(*tools: Tool) -> None:
+    """Raise ToolMissing for those that are not here, all at once."""
+    if lost := tuple(absent(tools)):
+        raise ToolMissing(*lost)
+
+
+def absent(tools: Sequence[Tool]) -> Iterator[Tool]:
+    """Those that are not here."""
+    for tool in tools:
+        try:
+            _ = tool.path
+        except ToolMissing:
+            yield tool
 
 
 def run(
@@ -80,6 +102,14 @@ def run(
 
 def _killed(process: subprocess.Popen[str]) -> str:
     """End a process with all that it started; what it had said."""
-    os.killpg(process.pid, signal.SIGKILL)
-    said, _ = process.communicate()
-    return said
+    with suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)
+    try:
+        return process.communicate(timeout=GRACE)[0]
+    except subprocess.TimeoutExpired as late:
+        said = late.output or b""  # bytes, whatever the process was asked for
+        return said.decode(errors="replace") if isinstance(said, bytes) else str(said)
+    finally:
+        for stream in filter(None, (process.stdin, process.stdout)):
+            stream.close()
+        process.wait()

@@ -20,7 +20,7 @@ from derive.evidence.tool import Tool, ToolMissing
 ORDERS = {"k": 0, "h": 1, "m": 2}
 """Derivatives of k, in w, their signs alternating."""
 
-FLINT = Tool("python-flint", "pip install gsmc-derive[evidence]")
+FLINT = Tool("python-flint", "pip install gsmc-derive[evidence]", "installed for this Python")
 
 LENGTH = 100  # terms of the series: less than 2^-90 is left out
 PIECE = Fraction(1, 192)  # short beside the ripple of the error

@@ -14,8 +14,9 @@ from typing import Any
 import sympy
 from sympy import Symbol
 
+from derive.emit.layout import fold
 from derive.emit.literal import decimal
-from derive.emit.render import environment, fold
+from derive.emit.render import environment
 from derive.emit.target import CONSTANTS
 from derive.explain import paper
 from derive.explain.formula import function_name

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from string import ascii_lowercase
-from typing import Any
 
 import sympy
 from sympy import ImmutableMatrix, Matrix, eye, zeros
@@ -12,7 +12,7 @@ from sympy import ImmutableMatrix, Matrix, eye, zeros
 from derive.lie import chart
 from derive.lie.affine import semidirect, unit_matrix
 from derive.lie.cover import Let
-from derive.lie.group import Group, Pull, marked
+from derive.lie.group import Group, Pull, cut, marked
 
 __all__ = ["MARKS", "product", "rebased", "semidirect", "vector_space"]
 
@@ -51,53 +51,91 @@ def product(*factors: Group) -> Group:
     """
     if len(factors) > len(MARKS):
         raise ValueError(f"a product of {len(factors)} factors: at most {len(MARKS)} are expected")
-    sizes = [one.basis[0].rows for one in factors]
-    starts = [sum(sizes[:i]) for i in range(len(sizes))]
-
-    def blocks(method: str, g: Matrix) -> list[Any]:
-        """A method of each factor on its block of the matrix g."""
-        rows = zip(factors, starts, sizes, strict=True)
-        return [getattr(one, method)(g[a : a + m, a : a + m]) for one, a, m in rows]
-
-    def stored(method: str, numbers: Matrix) -> list[Any]:
-        """A method of each factor on its stored numbers."""
-        rows = zip(factors, whole.split_element(numbers), strict=True)
-        return [getattr(one, method)(piece) for one, piece in rows]
-
-    def error(let: Let, g_r: Matrix, g: Matrix) -> Matrix:
-        pieces = whole.split_element(g_r), whole.split_element(g)
-        rows = zip(factors, MARKS, *pieces, strict=False)
-        return Matrix.vstack(*(one.error(marked(let, mark), a, b) for one, mark, a, b in rows))
-
-    def pull(let: Let, g: Matrix) -> Pull:
-        rows = zip(factors, MARKS, whole.split_element(g), strict=False)
-        pulls = [one.pull(marked(let, mark), piece) for one, mark, piece in rows]
-        return lambda name, x: Matrix.vstack(
-            *(one(name, piece) for one, piece in zip(pulls, whole.split_velocity(x), strict=True))
-        )
-
-    def placed(i: int, e: Matrix) -> ImmutableMatrix:
-        return ImmutableMatrix(
-            sympy.diag(*(e if i == j else zeros(m) for j, m in enumerate(sizes)))
-        )
-
-    whole = Group(
+    whole = _Factors(factors)
+    return Group(
         name=" x ".join(one.name for one in factors),
-        basis=tuple(placed(i, e) for i, one in enumerate(factors) for e in one.basis),
+        basis=tuple(whole.basis()),
         units=tuple(unit for one in factors for unit in one.units),
         identity=tuple(x for one in factors for x in one.identity),
-        embed=lambda numbers: sympy.diag(*stored("embed", numbers)),
-        store=lambda g: Matrix.vstack(*blocks("store", g)),
-        inverse=lambda g: sympy.diag(*blocks("inverse", g)),
-        residual=lambda numbers: Matrix([x for part in stored("residual", numbers) for x in part]),
+        embed=whole.embed,
+        store=whole.store,
+        inverse=whole.inverse,
+        residual=whole.residual,
         storage="; then ".join(one.storage for one in factors),
         shape=(sum(one.size for one in factors),),
         factors=factors,
-        short_Ad=lambda g: sympy.diag(*blocks("Ad", g)),
-        short_error=error,
-        short_pull=pull,
+        short_Ad=whole.Ad,
+        short_error=whole.error,
+        short_pull=whole.pull,
     )
-    return whole
+
+
+@dataclass(frozen=True)
+class _Factors:
+    """Groups side by side: elements in blocks, stored numbers and coordinates in rows."""
+
+    each: tuple[Group, ...]
+
+    def basis(self) -> Iterator[ImmutableMatrix]:
+        """Each E of each factor in its block, zeros in the others, (m, m)."""
+        empty = [zeros(m) for m in self._orders]
+        for i, one in enumerate(self.each):
+            for e in one.basis:
+                yield ImmutableMatrix(sympy.diag(*empty[:i], e, *empty[i + 1 :]))
+
+    def embed(self, stored: Matrix) -> Matrix:
+        """Stored numbers (k, 1) to element (m, m)."""
+        return sympy.diag(*(one.embed(piece) for one, piece in self._pieces(stored)))
+
+    def store(self, g: Matrix) -> Matrix:
+        """Element (m, m) to stored numbers (k, 1)."""
+        return Matrix.vstack(*(one.store(block) for one, block in self._blocks(g)))
+
+    def inverse(self, g: Matrix) -> Matrix:
+        """g^-1, (m, m)."""
+        return sympy.diag(*(one.inverse(block) for one, block in self._blocks(g)))
+
+    def residual(self, stored: Matrix) -> Matrix:
+        """What vanishes where every factor is on its group."""
+        return Matrix([x for one, piece in self._pieces(stored) for x in one.residual(piece)])
+
+    def Ad(self, g: Matrix) -> Matrix:
+        """Ad_g of an element, (n, n)."""
+        return sympy.diag(*(one.Ad(block) for one, block in self._blocks(g)))
+
+    def error(self, let: Let, g_r: Matrix, g: Matrix) -> Matrix:
+        """Stored numbers of g_r^-1 g, (k, 1), from stored numbers."""
+        rows = zip(MARKS, self._pieces(g_r), self._pieces(g), strict=False)
+        return Matrix.vstack(
+            *(one.error(marked(let, mark), a, b) for mark, (one, a), (_, b) in rows)
+        )
+
+    def pull(self, let: Let, g: Matrix) -> Pull:
+        """Ad of g^-1, for stored g, as a function of velocities."""
+        rows = zip(MARKS, self._pieces(g), strict=False)
+        pulls = [one.pull(marked(let, mark), piece) for mark, (one, piece) in rows]
+
+        def pulled(name: str, x: Matrix) -> Matrix:
+            pieces = zip(pulls, cut(x, [one.dim for one in self.each]), strict=True)
+            return Matrix.vstack(*(one(name, piece) for one, piece in pieces))
+
+        return pulled
+
+    @property
+    def _orders(self) -> list[int]:
+        """m of each factor."""
+        return [one.basis[0].rows for one in self.each]
+
+    def _blocks(self, g: Matrix) -> Iterator[tuple[Group, Matrix]]:
+        """Each factor with its block of the element g."""
+        start = 0
+        for one, m in zip(self.each, self._orders, strict=True):
+            yield one, g[start : start + m, start : start + m]
+            start += m
+
+    def _pieces(self, stored: Matrix) -> Iterator[tuple[Group, Matrix]]:
+        """Each factor with its stored numbers."""
+        return zip(self.each, cut(stored, [one.size for one in self.each]), strict=True)
 
 
 def rebased(group: Group, name: str, basis: Matrix, units: tuple[str, ...]) -> Group:

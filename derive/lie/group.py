@@ -110,11 +110,11 @@ class Group:
 
     def split_element(self, stored: Matrix) -> list[Matrix]:
         """Stored numbers of each factor of a product."""
-        return _cut(stored, [factor.size for factor in self.factors])
+        return cut(stored, [factor.size for factor in self.factors])
 
     def split_velocity(self, x: Matrix) -> list[Matrix]:
         """Algebra coordinates of each factor of a product."""
-        return _cut(x, [factor.dim for factor in self.factors])
+        return cut(x, [factor.dim for factor in self.factors])
 
     @cached_property
     def _left_inverse(self) -> Matrix:
@@ -187,7 +187,7 @@ def marked(let: Let, mark: str) -> Let:
     return lambda name, *rest, **more: let(f"{name}_{mark}", *rest, **more)
 
 
-def _cut(rows: Matrix, sizes: Sequence[int]) -> list[Matrix]:
+def cut(rows: Matrix, sizes: Sequence[int]) -> list[Matrix]:
     """Consecutive rows of these sizes."""
     starts = [sum(sizes[:i]) for i in range(len(sizes))]
     return [rows[a : a + n, :] for a, n in zip(starts, sizes, strict=True)]

@@ -13,6 +13,9 @@ from pathlib import Path
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno")
 SHARED = (*FLAGS, "-fPIC", "-shared")
 
+SECONDS = 300.0
+"""After which a compiler is ended; it takes a second or two."""
+
 _STRICT = (
     *("-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wconversion", "-Wdouble-promotion"),
     *("-Wfloat-equal", "-Wshadow", "-Wcast-qual"),
@@ -61,8 +64,8 @@ class Compiler:
             if path := shutil.which(name):
                 return cls(name, Path(path))
         raise CompilerMissing(
-            f"no C compiler found: looked on PATH for {', '.join(names)}\n"
-            "  install one: `apt install gcc`, `dnf install gcc` or `xcode-select --install`"
+            f"no C compiler found: looked on PATH for {', '.join(names)}; "
+            "install one: `apt install gcc`, `dnf install gcc` or `xcode-select --install`"
         )
 
     @property
@@ -77,7 +80,11 @@ class Compiler:
         with tempfile.TemporaryDirectory(dir=output.parent) as scratch:
             part = Path(scratch) / output.name
             command = [str(self.path), *arguments, "-o", str(part)]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            try:
+                done = subprocess.run(command, capture_output=True, text=True, check=False,
+                                      timeout=SECONDS)  # fmt: skip
+            except subprocess.TimeoutExpired:
+                raise CompileError(command, f"it did not end within {SECONDS:g} s") from None
             if done.returncode:
                 raise CompileError(command, done.stderr)
             part.replace(output)

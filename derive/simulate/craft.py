@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory, gettempdir
 
+from derive.control.table import CONTROLLERS
 from derive.lie.catalogue import named
 from derive.lie.group import Group
 from derive.lie.own import of_basis
@@ -48,6 +49,11 @@ class Craft:
     options: tuple[str, ...] = ()
     own: Basis | None = None
     units: tuple[str, ...] = ()
+
+    @property
+    def has_reference(self) -> bool:
+        """Whether its controller is told of a reference."""
+        return CONTROLLERS[self.controller].has_reference
 
     @property
     def pattern(self) -> tuple[bool, ...]:

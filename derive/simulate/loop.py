@@ -102,7 +102,7 @@ class Loop:
             nu = nu + self.setting.noise_nu * drawn[n:]
         nu_r, nu_r_dot = self.reference.at(t)
         given: dict[str, Array] = {"g": g, "nu": nu, **self._extras(body.momentum, self.runs)}
-        if self.craft.controller != "reaching":
+        if self.craft.has_reference:
             given |= {"g_r": body.g_r, "nu_r": nu_r, "nu_r_dot": nu_r_dot}
         return self.pilot.run(given)
 

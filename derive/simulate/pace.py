@@ -49,7 +49,7 @@ def fastest(craft: Craft) -> float:
     still, nudged = np.zeros((n, n)), NUDGE * np.eye(n)
     e = np.repeat(space.identity, n, 1)
     given = {"g": e, "nu": nudged, "momentum": still, "external": still}
-    if craft.controller != "reaching":
+    if craft.has_reference:
         given |= {"g_r": e, "nu_r": still, "nu_r_dot": still}
     known = ("g", "nu", "g_r", "nu_r", "nu_r_dot", *craft.options)
     force = pilot(craft, "numpy", n).run({k: v for k, v in given.items() if k in known}).force

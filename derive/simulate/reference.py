@@ -22,7 +22,7 @@ EDGE = 1e-12  # of a table's length: how far beyond its ends rounding may move a
 class Reference:
     """g_r(0), (k, 1), and t -> nu_r and nu_r', (n, 1) each, velocities in its own body frame.
 
-    is_at_rest: it never leaves the identity, which is all that `reaching` knows
+    is_at_rest: it never leaves the identity, where one without a reference goes
     brief:      seconds in which it has changed; infinite where it never does
     """
 

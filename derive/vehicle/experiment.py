@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 from derive.vehicle.key import HOMES, REFERENCE_KEYS, SIMULATE_KEYS
 from derive.vehicle.number import LARGEST_ENTRY, MODERATE, is_moderate, number
@@ -90,7 +91,8 @@ def experiment(top: Table, n: int) -> Experiment:
     if any(one <= 0 for one in limits):
         remedy = "write what the actuators give, in either direction"
         raise table.fault("force_limit", "numbers greater than 0", _listed(limits), remedy)
-    return Experiment(course=_course(top, n), **columns, **scalars)  # type: ignore[arg-type]
+    said: dict[str, Any] = {**columns, **scalars}  # each of the type of its own field
+    return Experiment(course=_course(top, n), **said)
 
 
 COLUMNS = ("turn", "nu", "momentum", "external", "disturbance", "wave", "force_limit")

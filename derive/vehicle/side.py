@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from derive.control.table import CONTROLLERS
 from derive.vehicle.number import number
 from derive.vehicle.text import Table, described, quoted
 
@@ -50,7 +51,7 @@ def _check_choice(top: Table, group: str, controller: str, law: str) -> None:
         found = f"law = {quoted(law)}, which takes the shorter way by itself"
         remedy = 'leave shortest out, or write law = "vec": twice as much, and with hysteresis'
         raise top.fault("shortest", expected, found, remedy)
-    if controller == "reaching":
+    if not CONTROLLERS[controller].has_reference:
         expected = "a controller with a reference, whose error may be taken with either sign"
         remedy = 'write controller = "gsmc", and give it the identity at rest for a reference'
         raise top.fault("shortest", expected, f"controller = {quoted(controller)}", remedy)

@@ -107,7 +107,7 @@ def backends(
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text, encoding="utf-8")
     found: list[Backend] = []
-    missing: list[str] = []
+    lost: dict[str, list[str]] = {}
     module = None
     if f"numpy/{name}.py" in texts:
         module = load_module(folder / "numpy" / f"{name}.py")
@@ -120,10 +120,11 @@ def backends(
         try:
             shared = build([source], folder / "c" / "include", folder)
         except CompilerMissing as error:
-            missing.append(f"C {scalar}: {error}")
+            lost.setdefault(str(error), []).append(scalar)
             continue
         header = folder / "c" / "include" / f"{prefix}.h"
         found.append(c_backend(Library(header, shared, prefix), scalar, vehicle))
+    missing = [f"C {' and '.join(scalars)}: {reason}" for reason, scalars in lost.items()]
     return found, module, missing
 
 

@@ -66,7 +66,7 @@ class Plant:
     @property
     def has_reference(self) -> bool:
         """Whether the controller tracks; otherwise only the reaching law is there."""
-        return "tracking" in self.routines
+        return CONTROLLERS[self.controller].has_reference
 
     def stored(self, scalar: str) -> tuple[list[list[float]], tuple[float, ...]]:
         """Inertia and gains as that scalar keeps them."""

@@ -2,7 +2,9 @@
 
 import re
 
-from derive.emit.deviation import DEVIATIONS, LONGEST, long_functions
+import pytest
+
+from derive.emit.deviation import CATEGORIES, DEVIATIONS, LONGEST, Deviation, long_functions
 from tests.emit import subjects
 from tests.emit.subjects import FILES
 
@@ -34,13 +36,20 @@ def test_the_rules_are_in_order_and_each_place_is_said_once() -> None:
         assert row.why.endswith(".")
 
 
+def test_every_rule_that_is_departed_from_has_its_category_and_no_other_has() -> None:
+    assert set(CATEGORIES) == {row.rule for row in DEVIATIONS}
+    assert {row.category for row in DEVIATIONS} <= {"advisory", "required"}  # never mandatory
+    with pytest.raises(KeyError, match=r"99\.9"):
+        _ = Deviation("99.9", "nowhere", "", "None.").category
+
+
 def test_every_package_has_the_table() -> None:
     for vehicle in FILES:
         texts = subjects.texts(vehicle)
         table = texts["DEVIATIONS.md"]
         assert table.startswith(f"# {vehicle.name}: ")
-        rows = re.findall(r"^\| (\S+) \| (.+?) \| (.+) \|$", table, re.MULTILINE)
-        assert rows[2:] == [(row.rule, row.where, row.why) for row in DEVIATIONS]
+        rows = re.findall(r"^\| (\d\S+) \| (\S+) \| (.+?) \| (.+) \|$", table, re.MULTILINE)
+        assert rows == [(row.rule, "advisory", row.where, row.why) for row in DEVIATIONS]
         told = {name: int(n) for name, n in re.findall(r"^\| `(\w+)` \| (\d+) \|$", table, re.M)}
         assert told == dict(long_functions(texts))
         assert "complian" not in table

@@ -124,8 +124,8 @@ def test_good_parameters_are_accepted(folder: Path, vehicle: Vehicle, scalar: st
         full = np.zeros((n, n))
         full[np.triu_indices(n)] = matrix
         assert np.linalg.eigvalsh(full, "U").min() > 0
-        low = ends(vehicle, built.defaults, lambda _, name: least(scalar, name))
-        for others in (built.defaults, ends(vehicle, built.defaults, largest), low):
+        lowest = ends(vehicle, built.defaults, lambda _, name: least(scalar, name))
+        for others in (built.defaults, ends(vehicle, built.defaults, largest), lowest):
             assert built.check_params(params={**others, "inertia": matrix}) == 0
 
 

@@ -104,7 +104,9 @@ def spoilt(emitted: Emitted, folder: Path) -> Emitted:
     header = made.header.read_text(encoding="utf-8")
     text = made.source.read_text(encoding="utf-8")
     if "force_limit[" not in header:
-        header = header.replace(f"}} {prefix}_params;", f"    float force_limit[3];\n}} {prefix}_params;")
+        header = header.replace(
+            f"}} {prefix}_params;", f"    float force_limit[3];\n}} {prefix}_params;"
+        )
         text = re.sub(
             r"(_defaults = \{.*?)\n\};", r"\1, {1e30F, 1e30F, 1e30F}\n};", text, flags=re.S
         )

@@ -13,8 +13,9 @@ from derive.evidence import defect, eva, quaternion
 from derive.evidence.analysed import MARK, analysed, places, statements
 from derive.evidence.emitted import Emitted
 from derive.evidence.entry import ANY_BITS
-from derive.evidence.tool import ToolFailed
+from derive.evidence.tool import ToolFailed, ToolMissing
 from tests.evidence.attacked import needed
+from tests.evidence.tools import hide
 
 GENERATED = Path(__file__).parents[2] / "generated"
 PACKAGES = [
@@ -127,6 +128,16 @@ def test_a_defect_that_changes_nothing_is_missed(monkeypatch: pytest.MonkeyPatch
         check = defect.teeth(package("sl2", "f64"))
     assert not check.is_ok
     assert check.details == ("a copy",)
+
+
+@pytest.mark.parametrize("command", ["frama-c", "gcc"])
+def test_without_its_preprocessor_it_is_missing_not_broken(
+    monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    for look in (lambda one: list(eva.proofs(one)), defect.teeth):
+        hide(monkeypatch, command)
+        with pytest.raises(ToolMissing, match=f"{command} is not on PATH; get it with"):
+            look(package("sl2", "f64"))
 
 
 def test_a_source_that_is_no_c_is_a_clear_failure() -> None:

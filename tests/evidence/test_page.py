@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
+from tempfile import gettempdir
 
 import pytest
 
@@ -14,14 +16,18 @@ from derive import dossier, folder, selftest
 from derive.evidence import version
 from derive.evidence.emitted import Emitted
 from derive.evidence.gather import Evidence, gather
-from derive.evidence.kind import KINDS, Kind, Step, Work
-from derive.evidence.page import LESS, WHOLE, page, shown
-from derive.evidence.stamp import hashes, outdated
+from derive.evidence.kind import KINDS, Kind, Step, Work, held
+from derive.evidence.markdown import shown
+from derive.evidence.page import LESS, WHOLE, page
+from derive.evidence.rule import RULES
+from derive.evidence.stamp import Fault, fault, hashes, outdated
 from derive.evidence.summary import PROMISES, lines
+from derive.evidence.tool import ToolFailed
 from derive.vehicle import load
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 from tests.evidence import attacked, made
+from tests.evidence.tools import hide
 
 NAME = "paper_so3"
 ROOT = Path(__file__).parents[2]
@@ -57,7 +63,7 @@ def test_a_page_names_what_it_measured_and_every_figure(work: Work) -> None:
     assert "`size`, f32: first; second.\n" in text
     assert re.search(r"^\| any input bits: no undefined behaviour, proved +\| 0 findings +\| "
                      r"0 findings +\| 20 +\| ok \|$", text, re.MULTILINE)  # fmt: skip
-    assert text.endswith("Nothing: everything was run.\n")
+    assert "\nNothing: everything was run.\n\nSHA-256 of all" in text
 
 
 def test_a_page_is_the_same_again_and_holds_no_place_and_no_date(work: Work) -> None:
@@ -73,15 +79,26 @@ def test_what_failed_broke_down_or_is_missing_is_told(work: Work) -> None:
     evidence = found(work, made.GOOD, made.BAD, made.LACKING, made.HUNG)
     text = page(evidence)
     assert [check.name for check in evidence.failed] == ["same bits"] * 2 + ["hung: broke down"]
-    assert f"**3 of 11 checks failed.** {LESS}\n" in text
+    assert "**3 of 11 checks failed.**\n" in text
+    assert text.splitlines()[2] == (
+        f"{LESS} Missing, whole or in part: 2 measurements for want of RV32's tools, no-such-tool. "
+        "See the end of the page."
+    )
     assert "- same bits, C f32: 3 rows, at most 0 rows; worst \\| one\n" in text
     assert "emulator did not end within 10 s" in text
-    assert evidence.missing == (
-        "RV32 was not run: it is not here",  # once, though both scalars said so
-        "lacking, f32: no-such-tool is not on PATH; get it with: apt install it",
-        "lacking, f64: no-such-tool is not on PATH; get it with: apt install it",
-    )
-    assert all(f"- {one}\n" in text for one in evidence.missing)
+    words = (  # once, though both scalars said so
+        "no-such-tool is not on PATH; get it with: apt install it", "it is not here",
+    )  # fmt: skip
+    lines = (f"lacking, f32 and f64, in part: {words[0]}", f"RV32: {words[1]}")
+    assert sorted(map(str, evidence.missing)) == sorted(lines)
+    assert all(f"- {one}\n" in text for one in lines)
+    for row in (
+        rf"lacking +\| f32 and f64 +\|( +\|)+ \*\*in part\*\* +\| {words[0]} \|",
+        rf"RV32 +\|( +\|)+ \*\*not run\*\* \| {words[1]} \|",
+        r"lacking: no no-such-tool here +\|( +\|)+ \*\*in part\*\* \|",
+        r"RV32: no RV32's tools here +\|( +\|)+ \*\*not run\*\* \|",
+    ):
+        assert len(re.findall(rf"^\| {row}$", text, re.MULTILINE)) == 1, row
     assert "/usr/bin/emulator" in evidence.broken[0]
     assert "its words" in evidence.broken[0]
 
@@ -90,14 +107,23 @@ def test_a_quick_run_says_what_it_left_out(work: Work) -> None:
     evidence = found(replace(work, is_quick=True), made.GOOD)
     assert not evidence.is_whole
     assert "- left out of a quick run: the other half" in page(evidence)
-    assert LESS in page(evidence)
+    line = f"{LESS} Missing, whole or in part: 1 for a quick run. See the end of the page."
+    assert page(evidence).splitlines()[2] == line
 
 
 def test_a_kind_that_gave_nothing_is_told(work: Work) -> None:
     """There are packages without kernel polynomials; and there are machines without the tools."""
     absent = Kind("kernel", (Step("absent", lambda *_: made.absent()),))
     assert "The package has nothing of this kind." in page(found(work, Kind("kernel", ())))
-    assert "Nothing of this was run: see the end of the page." in page(found(work, absent))
+    assert re.search(r"\*\*not run\*\* +\| it is not here \|$", page(found(work, absent)), re.M)
+
+
+def test_what_nobody_foresaw_ends_its_step_alone(work: Work) -> None:
+    evidence = found(work, Kind("attack", (Step("odd", made.odd),)), made.GOOD)
+    told = [(one.name, one.worst) for one in evidence.failed]
+    assert told == [("odd: broke down", "what nobody foresaw")] * 2
+    assert len(evidence.all_checks) == 6
+    assert "in odd\n" in evidence.broken[0]  # where in our own code
 
 
 def test_progress_counts_the_steps(work: Work) -> None:
@@ -113,6 +139,10 @@ def test_progress_counts_the_steps(work: Work) -> None:
     [
         ("in /tmp/derive-x/paper.c:3: at", "in paper.c:3: at"),
         ("a/b and c/ d", "a/b and c/ d"),
+        (
+            f"-I{gettempdir()}/derive-x1y2z3_4/a/b, {gettempdir()}/tmpx1y2z3_4",
+            "-Iscratch/a/b, scratch",
+        ),
         ("x | y\nand *z* <= `w`", r"x \| y and \*z\* \<= \`w\`"),
     ],
 )
@@ -165,7 +195,60 @@ def test_a_page_is_outdated_by_another_source(
     assert outdated(text, work.texts) == ""
     assert outdated(text, texts) == reason
     assert outdated("something else", work.texts) == "it does not say what it measured"
+    assert fault(text, texts) == (Fault("stale", reason) if reason else None)
     assert len(hashes(work.texts)) == 5
+
+
+def test_the_last_line_is_the_digest_of_the_lines_above(work: Work) -> None:
+    *above, last = page(found(work, made.GOOD)).splitlines(keepends=True)
+    assert last.split("`")[1] == sha256("".join(above).encode()).hexdigest()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "reason"),
+    [
+        ("| 1234 B ", "| 1233 B ", "another digest"),
+        ("**All 4 checks", "**All 5 checks", "another digest"),
+        ("SHA-256 of all that", "It: of all that", "does not give its digest"),
+        ("`\n\\Z", "`\nand more\n", "another digest"),
+        ("`\n\\Z", "`", "another digest"),
+    ],
+)
+def test_a_page_whose_words_were_edited_is_told(
+    work: Work, old: str, new: str, reason: str
+) -> None:
+    text = page(found(work, made.GOOD))
+    assert fault(text, work.texts) is None
+    other, count = re.subn(old if "Z" in old else re.escape(old), new, text, count=1)
+    assert count == 1
+    assert (told := fault(other, work.texts))
+    assert told.word == "edited"
+    assert reason in told.reason
+
+
+def test_a_tool_that_is_missing_or_breaks_down_spares_the_others(
+    work: Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuses(_: Emitted) -> Iterator[Check]:
+        yield from ()
+        raise ToolFailed(["/usr/bin/doxygen"], "ended with 3", "")
+
+    rule = next(kind for kind in KINDS if kind.key == "rule")
+    assert [step.name for step in rule.steps] == list(RULES)
+    steps = tuple(held("doxygen", refuses) if s.name == "doxygen" else s for s in rule.steps)
+    for tool in ("clang-tidy", "arm-none-eabi-gcc", "cppcheck"):
+        hide(monkeypatch, tool)
+    evidence = found(replace(work, packages=work.packages[:1]), replace(rule, steps=steps))
+    assert [(one.what, one.tools, one.is_part) for one in evidence.missing] == [
+        ("warnings of compilers", ("arm-none-eabi-gcc",), True),
+        ("clang-tidy", ("clang-tidy",), False),
+        ("MISRA C:2012", ("cppcheck",), False),
+        ("symbols", ("arm-none-eabi-gcc",), True),
+    ]
+    assert "pip install gsmc-derive[evidence]" in evidence.missing[2].why
+    assert [one.name for one in evidence.failed] == ["doxygen: broke down"]
+    names = {check.name for check in evidence.all_checks}
+    assert {"gcc: warnings", "clang: warnings", "calls through a pointer"} <= names
 
 
 def test_a_package_is_measured_for_true(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import os
 import time
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from derive.evidence import tool
+from derive.evidence.emitted import Emitted, NotEmitted
 from derive.evidence.machine import MACHINES, MEASURED
 from derive.evidence.target import missing, targets
+from derive.evidence.tool import Tool, ToolFailed, run
 from derive.verify.check import Check, Report
 from tests.command import tree
 from tests.evidence.emulated import BY_NAME, M4F, inject, need, package
@@ -35,7 +40,8 @@ def test_every_missing_tool_is_named_with_what_brings_it(
 
 def test_a_missing_emulator_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     need(M4F)
-    (tmp_path / M4F.compiler.command).symlink_to(M4F.compiler.path)
+    for one in (M4F.compiler, M4F.sizer):
+        (tmp_path / one.command).symlink_to(one.path)
     monkeypatch.setenv("PATH", str(tmp_path))
     assert missing([M4F]) == (
         "Cortex-M4F was not run: qemu-system-arm is not on PATH; "
@@ -43,10 +49,21 @@ def test_a_missing_emulator_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: 
     )
 
 
+def test_a_tool_beside_the_compiler_is_named(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    need(M4F)
+    for one in filter(None, (M4F.compiler, M4F.emulator)):
+        (tmp_path / one.command).symlink_to(one.path)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    (reason,) = missing([M4F])
+    assert reason.startswith("Cortex-M4F was not run: arm-none-eabi-size is not on PATH; get it")
+
+
 def test_a_missing_library_is_named() -> None:
     need(M4F)
     (reason,) = missing([replace(M4F, needs="libnowhere.a")])
-    told = "arm-none-eabi-gcc has no libnowhere.a; get it with: apt install"
+    told = "libnowhere.a is not where arm-none-eabi-gcc looks for it; get it with: apt install"
     assert reason.startswith(f"Cortex-M4F was not run: {told}")
 
 
@@ -65,6 +82,20 @@ def test_a_compiler_that_fails_is_told_with_its_words(tmp_path: Path) -> None:
     assert "\n" not in Report("v", (failed,)).table().splitlines()[2]
 
 
+def test_a_compiler_that_is_no_program_is_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    emitted = package("paper_so3", "f32", tmp_path)
+    (tmp_path / "cc-of-nowhere").write_text("not a program", encoding="utf-8")
+    (tmp_path / "cc-of-nowhere").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    machine = replace(BY_NAME["gcc"], compiler=Tool("cc-of-nowhere", "nothing"), needs="libm.a")
+    assert missing([machine]) == ()  # it is there, and does not work
+    (failed,) = targets([emitted], machines=[machine], levels=[MEASURED])
+    assert (failed.name, failed.measured) == ("built and run", 1)
+    assert "Exec format error" in failed.worst
+
+
 def test_an_emulator_that_hangs_is_ended_and_told(tmp_path: Path) -> None:
     need(M4F)
     forever = "\n#ifdef __OPTIMIZE__\n{ volatile int i = 1; while (i) { } }\n#endif\n"
@@ -80,6 +111,46 @@ def test_an_emulator_that_hangs_is_ended_and_told(tmp_path: Path) -> None:
     commands = (path.read_bytes() for path in Path("/proc").glob("[0-9]*/cmdline"))
     assert not any(elf.encode() in command for command in commands)
     assert not Path(elf).parent.exists()
+
+
+@pytest.mark.parametrize(
+    ("make", "found"),
+    [
+        (lambda folder: None, "no such folder"),
+        (lambda folder: folder.touch(), "a file"),
+        (lambda folder: folder.mkdir(), "no c/src/paper_so3_f32.c"),
+        (lambda folder: package("paper_so3", "f32", folder.parent).header.unlink(),
+         "no c/include/paper_so3_f32.h"),
+    ],
+)  # fmt: skip
+def test_a_folder_that_is_no_package_is_told(
+    make: Callable[[Path], None], found: str, tmp_path: Path
+) -> None:
+    folder = tmp_path / "paper_so3"
+    make(folder)
+    with pytest.raises(NotEmitted) as told:
+        list(targets([Emitted(folder, "paper_so3", "f32")], machines=[M4F]))
+    assert str(told.value).startswith(f"{folder}\n  expected: the emitted package of paper_so3")
+    assert f"\n  found:    {found}\n  to do:    write it with derive emit" in str(told.value)
+
+
+def test_a_relative_folder_is_as_good(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    need(BY_NAME["gcc"])
+    package("paper_so3", "f32", tmp_path)
+    monkeypatch.chdir(tmp_path)
+    emitted = Emitted(Path("paper_so3"), "paper_so3", "f32")
+    checks = list(targets([emitted], machines=[BY_NAME["gcc"]], levels=[MEASURED]))
+    assert [check.name for check in checks if not check.is_ok] == []
+
+
+def test_a_child_that_left_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is in a group of its own, and holds what it was given to write on."""
+    monkeypatch.setattr(tool, "GRACE", 0.2)
+    start = time.monotonic()
+    with pytest.raises(ToolFailed, match="did not end within 1 s") as told:
+        run(["sh", "-c", "echo its words; setsid sleep 8 & sleep 8"], 1)
+    assert time.monotonic() - start < 5
+    assert told.value.said == "its words\n"
 
 
 def test_a_fault_on_the_target_is_told(tmp_path: Path) -> None:

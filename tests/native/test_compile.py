@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from derive.native import compile
 from derive.native.compile import (
     FLAGS,
     SHARED,
@@ -85,6 +86,17 @@ def test_a_compile_error_tells_command_and_reason(tmp_path: Path) -> None:
     assert "nothing" in failure.value.stderr
     assert str(source) in str(failure.value)
     assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_a_compiler_that_hangs_is_ended_and_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "cc").write_text("#!/bin/sh\nexec sleep 60\n", encoding="utf-8")
+    (tmp_path / "cc").chmod(0o755)
+    monkeypatch.setattr(compile, "SECONDS", 0.2)
+    with pytest.raises(CompileError, match=r"cc x\.c -o .*\nit did not end within 0\.2 s"):
+        Compiler("cc", tmp_path / "cc").run(["x.c"], tmp_path / "x.so")
+    assert not (tmp_path / "x.so").exists()
 
 
 def test_a_failed_build_leaves_the_last_library(tmp_path: Path) -> None:

@@ -44,6 +44,7 @@ WRONG = [
     (("--chunk", "0"), "--chunk", "0"),
     (("--workers", "0"), "--workers", "0"),
     (("--workers", "many"), "--workers", "many"),
+    (("--hertz", "3"), "--hertz", "a wave of that frequency"),
     (("--settle", "0"), "--settle", "above 0"),
     (("--box", "-1"), "--box", "-1"),
     (("--speed", "nan"), "--speed", "nan"),

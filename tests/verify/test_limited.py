@@ -84,7 +84,7 @@ HARMS = [
     ("direction", C, "limit/size", "limit*size"),
     ("direction", C, "(a < b) ? a : b", "a"),
     ("direction", C, "command->force[1]*share", "command->force[1]"),
-    ("direction", C, "force[0], params->force_limit[0])", "force[0], params->force_limit[0]*0.999)"),
+    ("direction", C, "[0], params->force_limit[0])", "[0], params->force_limit[0]*0.999)"),
     ("direction", C, "share*0.", "share*0.7*0."),
     ("axis", C, "? limit : -limit", "? limit : limit"),
     ("axis", C, "(fabs(force) <= limit) ? force : most", "force"),
