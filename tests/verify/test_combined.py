@@ -137,7 +137,7 @@ def held_to(force: Sequence[Decimal], most: Sequence[int], keeps_direction: bool
     share = min([Decimal(1), *shares])
     if keeps_direction:
         return [x * share for x in force]
-    return [max(-y, min(Decimal(y), x)) for x, y in zip(force, most, strict=True)]
+    return [max(Decimal(-y), min(Decimal(y), x)) for x, y in zip(force, most, strict=True)]
 
 
 @pytest.mark.parametrize("scalar", ["f32", "f64"])
