@@ -94,7 +94,7 @@ def derived(vehicle: Vehicle) -> Printed:
     }
     guard = parts.guard
     whole = Parts(parts.main, parts.public, guard.error, guard.seen, guard.law, guard.drift,
-                  parts.inner, border(group))  # fmt: skip
+                  guard.apart, parts.inner, border(group))  # fmt: skip
     data = package(vehicle.name, whole, described)
     return {
         "selftest": selftest.kept(vehicle, data, is_pole=described["is_pole"]),

@@ -14,6 +14,7 @@ from sympy import Expr, Matrix, Poly, Symbol
 
 from derive.control.port import ERROR
 from derive.lie.group import Group
+from derive.lie.kernel import NOISE, TINY
 from derive.routine.derivation import Derivation, Quantity
 
 
@@ -25,6 +26,7 @@ class Guarded:
     seen:  the same, as far as the law reads it
     law:   what is left of it: it takes g_e, or the configuration itself
     drift: square of the distance from the group; None where all numbers are elements
+    apart: how far an element is from none that has an inverse; None where nothing is divided by
     is_bounded: which stored numbers the group keeps at most 1
     """
 
@@ -32,6 +34,7 @@ class Guarded:
     seen: Derivation | None
     law: Derivation
     drift: Derivation | None
+    apart: Derivation | None
     is_bounded: tuple[bool, ...]
 
 
@@ -46,7 +49,7 @@ def guarded(group: Group, main: Derivation) -> Guarded:
         read = zip(entries, law.used(quantity), strict=True)
         seen = replace(error, outputs=[(quantity, tuple(x for x, is_read in read if is_read))])
         seen = seen.pruned().needing()
-    return Guarded(error, seen, law, _drift(group, error), bounded(group))
+    return Guarded(error, seen, law, _drift(group, error), _apart(group), bounded(group))
 
 
 def _drift(group: Group, error: Derivation | None) -> Derivation | None:
@@ -72,6 +75,22 @@ def _drift(group: Group, error: Derivation | None) -> Derivation | None:
     near = "square of the distance from the group"
     d.give(Quantity("drift", 1, "1", near, is_scalar=True, place="drift"), total)
     return d.needing()
+
+
+def _apart(group: Group) -> Derivation | None:
+    """Positive where the determinant that the inverse divides by is no rounded zero."""
+    d = Derivation("apart", "what a determinant is beyond rounding, positive for an element", "")
+    g = d.take(Quantity("g", group.size, "1", "an element, or none", place="g"))
+    entries = group.inverse(group.embed(g))
+    divisor = sympy.lcm_list([sympy.denom(sympy.together(entry)) for entry in entries])
+    if not divisor.free_symbols:
+        return None
+    terms = sympy.Add.make_args(sympy.expand(divisor))
+    det = d.let("det", sum(terms, sympy.S.Zero), "1", "what the inverse divides by")
+    size = d.let("size", sum(map(sympy.Abs, terms), sympy.S.Zero), "1", "of its terms")
+    left = d.let("left", sympy.Abs(det) - NOISE * size - TINY, "1", "what is left of it")
+    d.give(Quantity("apart", 1, "1", "beyond rounding", is_scalar=True, place="apart"), left)
+    return d.pruned().needing()
 
 
 def _fixed(group: Group, configuration: Quantity, is_read: tuple[bool, ...]) -> list[Expr]:

@@ -43,6 +43,7 @@ class Parts:
     error, law: main from the configurations to g_e, None without a reference, and the rest
     seen: error as far as law reads it
     drift: square of the distance of g_e from the group; None where there is none
+    apart: positive for what has an inverse; None where no inverse divides
     inner: what only check_params calls
     border: from what drivers measure to a configuration, for the example
     """
@@ -53,6 +54,7 @@ class Parts:
     seen: Derivation | None
     law: Derivation
     drift: Derivation | None
+    apart: Derivation | None
     inner: Sequence[Derivation]
     border: Derivation | None = None
 
@@ -99,6 +101,7 @@ def _one(parts: Parts, facts: Mapping[str, Any], dialect: printer.Dialect) -> Pr
         "core": core,
         "passed": [e for one in core["inputs"] if one["name"] == "g_e" for e in one["entries"]],
         "drift": declared(parts.drift),
+        "apart": declared(parts.apart),
         "margins": more,
         "has_cut": has_cut,
         "bounds": _bounds(main, facts, has_drift=parts.drift is not None, has_cut=has_cut),

@@ -17,7 +17,8 @@ Places = Mapping[str, str]
 def rows(data: Data) -> dict[str, Any]:
     """Texts and routines, by the name that templates know them by.
 
-    reads:  what a law is run on: error, drift, law past the error, and that on the chosen side
+    reads:  what a law is run on: error, drift, what is divided by (apart), law past the error, and
+        that on the chosen side
     inputs: the rows of state and reference; at_identity: the error where there is no reference
     most:   name of the largest magnitude of each entry of the error
     free:   whether the group leaves it free
@@ -29,6 +30,7 @@ def rows(data: Data) -> dict[str, Any]:
     return {
         "reads": {
             **{name: _reads(place, data[name]) for name in ("error", "drift") if data[name]},
+            "apart": [place[name] for name in ("g_r",) if data["error"]],
             "law": _reads(place, data["core"]),
             "sided_law": _reads(sided, data["core"]),
         },
@@ -85,4 +87,4 @@ def _laws(data: Data) -> Iterator[tuple[str, Data]]:
     main, *others = data["routines"]
     yield main["symbol"], data["core"] if data["has_side"] else main
     yield from ((one["symbol"], one) for one in others)
-    yield from ((name, data[name]) for name in ("error", "drift") if data[name])
+    yield from ((name, data[name]) for name in ("error", "drift", "apart") if data[name])

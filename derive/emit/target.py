@@ -10,10 +10,12 @@ CONSTANTS = {
     "SMALL": {"f64": Fraction("1e-60"), "f32": Fraction("1e-10")},
     "FLOOR": {"f64": Fraction("1e-17"), "f32": Fraction("1e-8")},
     "LEAST": {"f64": Fraction("1e-8"), "f32": Fraction("0.75")},
+    "NOISE": {"f64": Fraction("4e-15"), "f32": Fraction("2e-6")},
     "CUT": {"f64": Fraction("1e-60"), "f32": Fraction("5e-8")},
 }
 """Values of the kernel's named constants; an ulp over TINY does not overflow, nor SMALL^-3.
 
+NOISE is more than the 13 eps that 24 products of four rounded factors and their sum are off by;
 CUT is below the clearance that is refused; FLOOR moves a rate by less than a tenth of an ulp.
 """
 

@@ -15,9 +15,9 @@ from pathlib import Path
 from derive.emit.render import environment
 from derive.emit.status import FIRST_BAD, STATUSES
 from derive.evidence.emitted import Emitted
-from derive.evidence.eva import FRAMA_C, SECONDS
+from derive.evidence.eva import FRAMA_C, PREPROCESSOR, SECONDS
 from derive.evidence.interface import interface
-from derive.evidence.tool import run
+from derive.evidence.tool import need, run
 from derive.verify.check import Check
 from derive.verify.limits import LIMITS
 
@@ -46,6 +46,7 @@ def is_limited(emitted: Emitted) -> bool:
 
 def limits(emitted: Emitted) -> Check:
     """The record of the run; raises ToolMissing, ToolFailed, OSError, ValueError."""
+    need(FRAMA_C, PREPROCESSOR)
     failed, goals = unproved(emitted, emitted.source.read_text(encoding="utf-8"))
     return Check(
         "any limits: not proved", f"C {emitted.scalar}", float(len(failed)),

@@ -78,6 +78,7 @@ CONSTANTS = {
     "FLOOR": "added to a squared sine, beside which it rounds away where it counts",
     "SHORT": "squared length below which numbers are no quaternion",
     "CUT": "least sine that an error beyond pi is divided by",
+    "NOISE": "of the terms of a determinant, what rounding may leave of one that is zero",
     "LEAST": "below the squared length of any unit quaternion",
 }
 """Named constant -> what it is for."""

@@ -44,7 +44,10 @@ CUT = sympy.Symbol("CUT", positive=True)
 LEAST = sympy.Symbol("LEAST", positive=True)
 """Least square of a quaternion's length: below that of any unit quaternion."""
 
-CONSTANTS = (TINY, SMALL, FLOOR, CUT, LEAST)
+NOISE = sympy.Symbol("NOISE", positive=True)
+"""Of the terms of a determinant: what rounding may make of one that is zero."""
+
+CONSTANTS = (TINY, SMALL, FLOOR, CUT, LEAST, NOISE)
 """All of them: zero in the maths, and a number in each scalar."""
 
 

@@ -133,7 +133,8 @@ def largest(answer: Answer) -> Decimal:
 
 def held_to(force: Sequence[Decimal], most: Sequence[int], keeps_direction: bool) -> list[Decimal]:
     """The force within its limits, in 28 digits."""
-    share = min([Decimal(1), *(y / abs(x) for x, y in zip(force, most, strict=True))])
+    shares = [Decimal(y) / abs(x) for x, y in zip(force, most, strict=True)]
+    share = min([Decimal(1), *shares])
     if keeps_direction:
         return [x * share for x in force]
     return [max(Decimal(-y), min(Decimal(y), x)) for x, y in zip(force, most, strict=True)]
