@@ -1,9 +1,9 @@
 """`derive check` shows where a folder is not what its vehicle gives, and what mends it."""
 
+import re
 from pathlib import Path
 
 import pytest
-import re
 
 from tests.command import FILES, ROOT, derive, refused
 
