@@ -96,10 +96,8 @@ def test_a_package_without_a_page_is_told_and_is_no_finding(
     other.write_text(Path("body.toml").read_text().replace('"body"', '"other"'), encoding="utf-8")
     assert cli.run(["check", "body.toml", "other.toml"]) == 1  # for what was never emitted
     said = capsys.readouterr()
-    assert said.err == (
-        "note: no evidence yet, no generated/body/EVIDENCE.md; "
-        "write with: derive evidence body.toml\n"
-    )
+    writing = "write with: derive evidence body.toml"
+    assert said.err == f"note: no EVIDENCE.md yet in generated/body; {writing}\n"
     assert cli.run(["check", "body.toml"]) == 0
     assert capsys.readouterr() == ("same generated/body\n", said.err)
     made.gathered(monkeypatch, made.GOOD)
