@@ -115,9 +115,9 @@ def unproved(vehicles: Sequence[Vehicle], out: Path) -> str:
     bare = [one for one in vehicles if dossier.is_bare(out / one.name)]
     if not bare:
         return ""
-    names = ", ".join(str(out / one.name) for one in bare)
+    names = ", ".join(str(dossier.page_of(out / one.name)) for one in bare)
     writing = spelled("evidence", [one.source for one in bare], out)
-    return f"note: no {dossier.PAGE} yet in {names}; write with: {writing}"
+    return f"note: not written yet: {names}; write with: {writing}"
 
 
 def warn(written: Sequence[Written]) -> None:

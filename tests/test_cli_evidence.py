@@ -97,7 +97,7 @@ def test_a_package_without_a_page_is_told_and_is_no_finding(
     assert cli.run(["check", "body.toml", "other.toml"]) == 1  # for what was never emitted
     said = capsys.readouterr()
     writing = "write with: derive evidence body.toml"
-    assert said.err == f"note: no EVIDENCE.md yet in generated/body; {writing}\n"
+    assert said.err == f"note: not written yet: generated/body/EVIDENCE.md; {writing}\n"
     assert cli.run(["check", "body.toml"]) == 0
     assert capsys.readouterr() == ("same generated/body\n", said.err)
     made.gathered(monkeypatch, made.GOOD)
