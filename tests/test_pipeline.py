@@ -55,6 +55,13 @@ def committed() -> dict[str, str]:
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_what_was_kept_gives_the_bytes_of_what_is_derived(file: Path, tmp_path: Path) -> None:
+    derived = pipeline.texts(load(file), tmp_path)
+    assert list(tmp_path.iterdir())
+    assert pipeline.texts(load(file), tmp_path) == derived
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_generated_is_what_the_vehicle_files_give(file: Path) -> None:
     (_, drifts), = pipeline.check([load(file)], GENERATED)  # fmt: skip
     assert drifts == []
