@@ -1,7 +1,7 @@
 """Every single bit of every input turned over: nothing breaks, and how much of it is noticed.
 
-A flip is harmful when it changes the force of the bare law, before any limit, by more than a
-thousandth of its length. It is found when `control` answers with a status from 16 on, or, for a
+A flip is harmful when it changes the force of the bare law, of a parameter also that of `control`,
+by more than a thousandth of its length. It is found when `control` answers with a status from 16 on, or, for a
 parameter, when `check_params` refuses it; harmful there: in any of the states.
 """
 
@@ -43,9 +43,10 @@ class Tally:
         return self.found / self.harmful if self.harmful else 1.0
 
     def __str__(self) -> str:
+        share = f" ({100 * self.rate:.1f} %)" if self.harmful else ""
         return (
-            f"{self.member}: {self.found} of {self.harmful} harmful flips found "
-            f"({100 * self.rate:.1f} %), {self.tried} tried"
+            f"{self.member}: {self.found} of {self.harmful} harmful flips found{share}, "
+            f"{self.tried} tried"
         )
 
 

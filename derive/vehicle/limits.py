@@ -10,7 +10,7 @@ from derive.vehicle.key import HOMES, LIMIT_KEYS
 from derive.vehicle.number import number
 from derive.vehicle.text import Table, described
 
-LEAST, MOST = Fraction(1, 10**6), Fraction(10**9)
+LEAST, MOST = Fraction(1, 10**9), Fraction(10**9)
 WORDS = {"f32": "2e-6", "f64": "1e-14"}
 LEAST_DRIFT = {scalar: Fraction(word) for scalar, word in WORDS.items()}
 """By scalar: the error of two correctly rounded elements is no nearer to the group than that."""
@@ -50,7 +50,7 @@ def _force(table: Table, n: int) -> tuple[Fraction, ...]:
     """n positive numbers, or one that stands for all of them."""
     given = table.values["force"]
     rows = given if isinstance(given, list) else [given] * n
-    expected = f"{n} numbers, or one for all, each from 1e-6 to 1e9, in N m and N"
+    expected = f"{n} numbers, or one for all, each from 1e-9 to 1e9, in N m and N"
     remedy = "write what the actuators give in either direction, without quotes"
     if len(rows) != n:
         raise table.fault("force", expected, described(given), remedy)

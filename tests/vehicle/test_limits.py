@@ -27,7 +27,7 @@ def refusal(folder: Path, lines: str, head: str = "", foot: str = "[limits]\n") 
     return caught.value
 
 
-SMALL = Fraction(1, 10**6)
+SMALL, LEAST = Fraction(1, 10**6), Fraction(1, 10**9)
 
 
 @pytest.mark.parametrize(
@@ -36,7 +36,7 @@ SMALL = Fraction(1, 10**6)
         ("", Limits()),
         ("force = 2", Limits((Fraction(2),) * 3, "direction")),
         ("force = 0.1", Limits((Fraction(1, 10),) * 3, "direction")),
-        ("force = [1e-6, 2, 1e9]", Limits((SMALL, Fraction(2), Fraction(10**9)), "direction")),
+        ("force = [1e-9, 2, 1e9]", Limits((LEAST, Fraction(2), Fraction(10**9)), "direction")),
         ('force = 1\nsaturation = "axis"', Limits((Fraction(1),) * 3, "axis")),
         ('saturation = "direction"\nforce = 1', Limits((Fraction(1),) * 3, "direction")),
         ("drift = 0.1", Limits(drift=Fraction(1, 10))),
@@ -61,7 +61,7 @@ def test_one_limit_stands_for_as_many_as_the_inertia_has_rows(tmp_path: Path) ->
     assert load(path).limits.force == (Fraction(2),)
 
 
-FORCE = "3 numbers, or one for all, each from 1e-6 to 1e9, in N m and N"
+FORCE = "3 numbers, or one for all, each from 1e-9 to 1e9, in N m and N"
 GIVES = "write what the actuators give in either direction, without quotes"
 DRIFT = "a number from 2e-6 to 0.1"
 FINE = "write drift = 1e-4, or leave it out for 1e-4 in float and 1e-6 in double"
@@ -72,7 +72,7 @@ FINE = "write drift = 1e-4, or leave it out for 1e-4 in float and 1e-6 in double
     [
         ("0", "force", "0"),
         ("-1", "force", "-1"),
-        ("9.9e-7", "force", "9.9e-7"),
+        ("9.9e-10", "force", "9.9e-10"),
         ("1000000000.1", "force", "1000000000.1"),
         ("nan", "force", "nan"),
         ("inf", "force", "inf"),

@@ -13,9 +13,10 @@
  *   before it is judged: let no one else read it before control has returned.
  * - Compiler: C99 with IEEE 754 numbers, rounded to nearest. Give gcc and clang
  *   -ffp-contract=off and -fno-math-errno, as the build files of the package do. The source
- *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity. It
- *   cannot see -fno-honor-nans of clang, which the package's own test finds: run that with your
- *   flags. Floating-point traps are masked: bad inputs raise flags before they are refused.
+ *   refuses -ffast-math, -Ofast and -ffinite-math-only: control must see NaN and infinity. Of
+ *   clang it cannot see -fno-honor-nans, -funsafe-math-optimizations and -ffp-contract=fast,
+ *   which the package's own test finds: run that with your flags. Floating-point traps are masked:
+         bad inputs raise flags before they are refused.
  * - Needs: sqrt of libm, and nothing of libc. No heap,
  *   no data that changes, no recursion, no pointer to a function: calls may interrupt each other.
  * - Evidence: beside the folder c, EVIDENCE.md has what was proved and measured, DEVIATIONS.md
@@ -46,7 +47,8 @@ typedef enum {
     /** the error is close to where the law jumps; a limit may be reached too */
     QUADROTOR_F64_NEAR_CUT_LOCUS = 2,
     QUADROTOR_F64_NOT_ON_GROUP = 16, /**< the error is off the group by more than max_drift */
-    QUADROTOR_F64_OUT_OF_RANGE = 17, /**< beyond MAX_INPUT, or too near a pole of the law */
+    /** a velocity, a rate or the error beyond its MAX, or a pole of the law */
+    QUADROTOR_F64_OUT_OF_RANGE = 17,
     QUADROTOR_F64_NONFINITE_INPUT = 18, /**< an input, or what it leads to, is not finite */
     QUADROTOR_F64_BAD_PARAMS = 19 /**< found by check_params */
 } quadrotor_f64_status;
@@ -95,6 +97,9 @@ quadrotor_f64_status quadrotor_f64_check_params(const quadrotor_f64_params *para
 /**
  * The guarded controller, for parameters that were checked. Whatever bits the other inputs are
  * made of, all of the command is written, and it is finite.
+ *
+ * Of configurations the error alone is judged, g_r^-1 g: two that are off the group alike, so
+ * that the error is on it, pass.
  * @param[in] params inertia and gains, from the vehicle file or tuned on the target
  * @param[in] state what is measured
  * @param[in] reference where to be, and how that moves
