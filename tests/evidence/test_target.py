@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -92,12 +93,24 @@ def test_a_painted_stack_is_within_the_static_bound_and_close_to_it(found: Found
 LEFT = 24
 """Bytes of a frame that is left before a tail call, and that the static sum still counts."""
 
-MISSED = "M4F SO3 tracking"
-"""The one promise that the emitted code does not keep yet."""
+MISSED = {
+    "paper_so3": {"M4F SO3 tracking"},
+    "paper_s3": {"M4F S3 tracking"},
+    "cubesat_3u": {"M4F SO3 tracking", "M4F text, guarded"},
+}
+"""The promises that emitted code does not keep yet; README says why."""
+
+
+@cache
+def counted(name: str) -> Sequence[Check]:
+    """In float on the Cortex-M4F."""
+    need(M4F)
+    made = Emitted(ROOT / "generated" / name, name, "f32")
+    return tuple(targets([made], levels=(MEASURED,), machines=(M4F,)))
 
 
 def test_what_is_promised_is_kept(found: Found) -> None:
-    kept = [check for check in found.values() if check.limit.name != MISSED]
+    kept = [check for check in found.values() if check.limit.name not in MISSED["paper_so3"]]
     assert [check for check in kept if not check.is_ok] == []
     promised = {check.limit.name for check in found.values() if "M4F" in check.limit.name}
     assert promised == {
@@ -106,23 +119,31 @@ def test_what_is_promised_is_kept(found: Found) -> None:
     }  # fmt: skip
 
 
-@pytest.mark.xfail(reason="363 instructions, 23 more than promised: see README", strict=True)
-def test_what_is_not_kept_yet(found: Found) -> None:
-    assert all(check.is_ok for check in found.values() if check.limit.name == MISSED)
+@pytest.mark.parametrize("name", MISSED)
+def test_of_others_too(name: str) -> None:
+    broken = {check.limit.name for check in counted(name) if not check.is_ok}
+    assert broken <= MISSED[name]
+
+
+@pytest.mark.xfail(reason="363 instructions of 340, 309 of 260; 2376 B of 2200", strict=True)
+@pytest.mark.parametrize(
+    ("name", "missed"), [(k, one) for k, v in MISSED.items() for one in sorted(v)]
+)
+def test_what_is_not_kept_yet(name: str, missed: str) -> None:
+    assert all(check.is_ok for check in counted(name) if check.limit.name == missed)
 
 
 def test_of_a_diagonal_inertia_all_is_kept(tmp_path: Path) -> None:
     """Products of inertia are 24 operations and three loads on top."""
     need(M4F)
     body = load(ROOT / "vehicles/paper_so3.toml")
-    diagonal = [
-        [x if i == j else 0 * x for j, x in enumerate(row)] for i, row in enumerate(body.inertia)
-    ]
-    emit([replace(body, inertia=tuple(map(tuple, diagonal)))], tmp_path)
+    rows = enumerate(body.inertia)
+    diagonal = tuple(tuple(x if i == j else 0 * x for j, x in enumerate(row)) for i, row in rows)
+    emit([replace(body, inertia=diagonal)], tmp_path)
     made = Emitted(tmp_path / body.name, body.name, "f32")
     checks = list(targets([made], levels=(MEASURED,), machines=(M4F,)))
     assert [check for check in checks if not check.is_ok] == []
-    assert MISSED in {check.limit.name for check in checks}
+    assert MISSED["paper_so3"] <= {check.limit.name for check in checks}
 
 
 @pytest.mark.parametrize("name", sorted(one.name for one in (ROOT / "generated").iterdir()))
