@@ -27,7 +27,7 @@ def refusal(folder: Path, lines: str, head: str = "", foot: str = "[limits]\n") 
     return caught.value
 
 
-SMALL, LEAST = Fraction(1, 10**6), Fraction(1, 10**9)
+SMALL, TINY = Fraction(1, 10**6), Fraction(1, 10**9)
 
 
 @pytest.mark.parametrize(
@@ -36,7 +36,7 @@ SMALL, LEAST = Fraction(1, 10**6), Fraction(1, 10**9)
         ("", Limits()),
         ("force = 2", Limits((Fraction(2),) * 3, "direction")),
         ("force = 0.1", Limits((Fraction(1, 10),) * 3, "direction")),
-        ("force = [1e-9, 2, 1e9]", Limits((LEAST, Fraction(2), Fraction(10**9)), "direction")),
+        ("force = [1e-9, 2, 1e9]", Limits((TINY, Fraction(2), Fraction(10**9)), "direction")),
         ('force = 1\nsaturation = "axis"', Limits((Fraction(1),) * 3, "axis")),
         ('saturation = "direction"\nforce = 1', Limits((Fraction(1),) * 3, "direction")),
         ("drift = 0.1", Limits(drift=Fraction(1, 10))),
