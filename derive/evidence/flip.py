@@ -1,8 +1,8 @@
 """Every single bit of every input turned over: nothing breaks, and how much of it is noticed.
 
 A flip is harmful when it changes the force of the bare law, of a parameter also that of `control`,
-by more than a thousandth of its length. It is found when `control` answers with a status from 16 on,
-or, for a parameter, when `check_params` refuses it; harmful there: in any of the states.
+by more than a thousandth of its length. It is found when `control` answers with a status from 16
+on, or, for a parameter, when `check_params` refuses it; harmful there: in any of the states.
 """
 
 from __future__ import annotations
