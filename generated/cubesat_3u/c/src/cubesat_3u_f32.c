@@ -69,7 +69,7 @@ static void cubesat_3u_f32_nothing(cubesat_3u_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float cubesat_3u_f32_law(const cubesat_3u_f32_params *params,
         const cubesat_3u_f32_state *state, const cubesat_3u_f32_reference *reference,
         cubesat_3u_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,

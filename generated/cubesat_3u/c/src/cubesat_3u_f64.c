@@ -81,7 +81,7 @@ static void cubesat_3u_f64_nothing(cubesat_3u_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double cubesat_3u_f64_law(const cubesat_3u_f64_params *params,
         const cubesat_3u_f64_state *state, const cubesat_3u_f64_reference *reference,
         cubesat_3u_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,

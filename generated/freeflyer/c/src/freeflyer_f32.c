@@ -122,7 +122,7 @@ static void freeflyer_f32_nothing(freeflyer_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float freeflyer_f32_law(const freeflyer_f32_params *params, const freeflyer_f32_state *state,
         const freeflyer_f32_reference *reference, freeflyer_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3, const float g_e_4,

@@ -158,7 +158,7 @@ static void freeflyer_f64_nothing(freeflyer_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double freeflyer_f64_law(const freeflyer_f64_params *params,
         const freeflyer_f64_state *state, const freeflyer_f64_reference *reference,
         freeflyer_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,

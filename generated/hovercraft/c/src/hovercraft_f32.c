@@ -87,7 +87,7 @@ static void hovercraft_f32_nothing(hovercraft_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float hovercraft_f32_law(const hovercraft_f32_params *params,
         const hovercraft_f32_state *state, const hovercraft_f32_reference *reference,
         hovercraft_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,

@@ -111,7 +111,7 @@ static void hovercraft_f64_nothing(hovercraft_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double hovercraft_f64_law(const hovercraft_f64_params *params,
         const hovercraft_f64_state *state, const hovercraft_f64_reference *reference,
         hovercraft_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,

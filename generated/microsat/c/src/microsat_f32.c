@@ -69,7 +69,7 @@ static void microsat_f32_nothing(microsat_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float microsat_f32_law(const microsat_f32_params *params, const microsat_f32_state *state,
         const microsat_f32_reference *reference, microsat_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3)

@@ -80,7 +80,7 @@ static void paper_s3_f64_nothing(paper_s3_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double paper_s3_f64_law(const paper_s3_f64_params *params, const paper_s3_f64_state *state,
         const paper_s3_f64_reference *reference, paper_s3_f64_command *command, const double g_e_0,
         const double g_e_1, const double g_e_2, const double g_e_3)

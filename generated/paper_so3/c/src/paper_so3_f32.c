@@ -68,7 +68,7 @@ static void paper_so3_f32_nothing(paper_so3_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float paper_so3_f32_law(const paper_so3_f32_params *params, const paper_so3_f32_state *state,
         const paper_so3_f32_reference *reference, paper_so3_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3, const float g_e_4,

@@ -49,7 +49,7 @@ static void paper_so3_lsf_f32_nothing(paper_so3_lsf_f32_command *command)
 }
 
 /* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected, past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float paper_so3_lsf_f32_law(const paper_so3_lsf_f32_params *params,
         const paper_so3_lsf_f32_state *state, const paper_so3_lsf_f32_reference *reference,
         paper_so3_lsf_f32_command *command, const float g_e_1, const float g_e_2, const float g_e_3,

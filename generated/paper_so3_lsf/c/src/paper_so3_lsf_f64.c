@@ -49,7 +49,7 @@ static void paper_so3_lsf_f64_nothing(paper_so3_lsf_f64_command *command)
 }
 
 /* LSF force that tracks (g_r, nu_r); eq. (Ctrls2) corrected, past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double paper_so3_lsf_f64_law(const paper_so3_lsf_f64_params *params,
         const paper_so3_lsf_f64_state *state, const paper_so3_lsf_f64_reference *reference,
         paper_so3_lsf_f64_command *command, const double g_e_1, const double g_e_2,

@@ -49,7 +49,7 @@ static void paper_so3_lsf_printed_f32_nothing(paper_so3_lsf_printed_f32_command 
 }
 
 /* LSF force that tracks (g_r, nu_r); eq. (Ctrls2), past the error. Gives its clearance, 0 where the
-        law jumps. */
+   law jumps. */
 static float paper_so3_lsf_printed_f32_law(const paper_so3_lsf_printed_f32_params *params,
         const paper_so3_lsf_printed_f32_state *state,
         const paper_so3_lsf_printed_f32_reference *reference,

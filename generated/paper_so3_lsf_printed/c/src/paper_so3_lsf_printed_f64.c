@@ -49,7 +49,7 @@ static void paper_so3_lsf_printed_f64_nothing(paper_so3_lsf_printed_f64_command 
 }
 
 /* LSF force that tracks (g_r, nu_r); eq. (Ctrls2), past the error. Gives its clearance, 0 where the
-        law jumps. */
+   law jumps. */
 static double paper_so3_lsf_printed_f64_law(const paper_so3_lsf_printed_f64_params *params,
         const paper_so3_lsf_printed_f64_state *state,
         const paper_so3_lsf_printed_f64_reference *reference,

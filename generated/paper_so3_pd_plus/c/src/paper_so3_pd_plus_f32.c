@@ -49,7 +49,7 @@ static void paper_so3_pd_plus_f32_nothing(paper_so3_pd_plus_f32_command *command
 }
 
 /* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3), past the error. Gives its clearance, 0 where the
-        law jumps. */
+   law jumps. */
 static float paper_so3_pd_plus_f32_law(const paper_so3_pd_plus_f32_params *params,
         const paper_so3_pd_plus_f32_state *state, const paper_so3_pd_plus_f32_reference *reference,
         paper_so3_pd_plus_f32_command *command, const float g_e_0, const float g_e_1,

@@ -49,7 +49,7 @@ static void paper_so3_pd_plus_f64_nothing(paper_so3_pd_plus_f64_command *command
 }
 
 /* PD+ force that tracks (g_r, nu_r); eq. (Ctrls3), past the error. Gives its clearance, 0 where the
-        law jumps. */
+   law jumps. */
 static double paper_so3_pd_plus_f64_law(const paper_so3_pd_plus_f64_params *params,
         const paper_so3_pd_plus_f64_state *state, const paper_so3_pd_plus_f64_reference *reference,
         paper_so3_pd_plus_f64_command *command, const double g_e_0, const double g_e_1,

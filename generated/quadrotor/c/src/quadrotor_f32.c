@@ -69,7 +69,7 @@ static void quadrotor_f32_nothing(quadrotor_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float quadrotor_f32_law(const quadrotor_f32_params *params, const quadrotor_f32_state *state,
         const quadrotor_f32_reference *reference, quadrotor_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3)

@@ -81,7 +81,7 @@ static void quadrotor_f64_nothing(quadrotor_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double quadrotor_f64_law(const quadrotor_f64_params *params,
         const quadrotor_f64_state *state, const quadrotor_f64_reference *reference,
         quadrotor_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,

@@ -51,7 +51,7 @@ static void sl2_f32_nothing(sl2_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float sl2_f32_law(const sl2_f32_params *params, const sl2_f32_state *state,
         const sl2_f32_reference *reference, sl2_f32_command *command, const float g_e_0,
         const float g_e_1, const float g_e_2, const float g_e_3)

@@ -51,7 +51,7 @@ static void sl2_f64_nothing(sl2_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double sl2_f64_law(const sl2_f64_params *params, const sl2_f64_state *state,
         const sl2_f64_reference *reference, sl2_f64_command *command, const double g_e_0,
         const double g_e_1, const double g_e_2, const double g_e_3)

@@ -136,7 +136,7 @@ static void two_bodies_f32_nothing(two_bodies_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float two_bodies_f32_law(const two_bodies_f32_params *params,
         const two_bodies_f32_state *state, const two_bodies_f32_reference *reference,
         two_bodies_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,

@@ -171,7 +171,7 @@ static void two_bodies_f64_nothing(two_bodies_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double two_bodies_f64_law(const two_bodies_f64_params *params,
         const two_bodies_f64_state *state, const two_bodies_f64_reference *reference,
         two_bodies_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,

@@ -121,7 +121,7 @@ static void underwater_f32_nothing(underwater_f32_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static float underwater_f32_law(const underwater_f32_params *params,
         const underwater_f32_state *state, const underwater_f32_reference *reference,
         underwater_f32_command *command, const float g_e_0, const float g_e_1, const float g_e_2,

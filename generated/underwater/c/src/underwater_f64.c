@@ -157,7 +157,7 @@ static void underwater_f64_nothing(underwater_f64_command *command)
 }
 
 /* force that drives (g, nu) to (g_r, nu_r); eq. (TckCtrl), past the error. Gives its clearance, 0
-        where the law jumps. */
+   where the law jumps. */
 static double underwater_f64_law(const underwater_f64_params *params,
         const underwater_f64_state *state, const underwater_f64_reference *reference,
         underwater_f64_command *command, const double g_e_0, const double g_e_1, const double g_e_2,
