@@ -7,7 +7,7 @@ finds its printed data in the cache.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -69,6 +69,7 @@ def derived(vehicle: Vehicle) -> Printed:
     """Derive and print everything that does not depend on the vehicle's numbers."""
     from derive.control.border import border
     from derive.control.kinematic import laws_of
+    from derive.control.stray import strays
     from derive.emit.package import Parts, package
     from derive.theory import cautions
 
@@ -90,6 +91,7 @@ def derived(vehicle: Vehicle) -> Printed:
         "has_side": vehicle.hysteresis is not None,
         "zeros": [i for i, present in enumerate(vehicle.pattern) if not present],
         "is_bounded": list(parts.guard.is_bounded),
+        "strays": [asdict(one) for one in strays(group.identity, parts.guard)],
         "saturation": vehicle.limits.saturation,
     }
     guard = parts.guard

@@ -116,6 +116,7 @@ def selftest(
         "diagonal": [i * n - i * (i - 1) // 2 for i in range(n)],
         "identity": [code.text(x) for x in identity],
         **_hollow(code),
+        **_strays(printed["strays"], scalar),
         "largest": exact(LARGEST[scalar], scalar),
         **_sided(values, scalar),
         "first_good": next(i for i, row in enumerate(rows) if VALUE[row["status"]] < FIRST_BAD),
@@ -151,6 +152,26 @@ def _hollow(code: Code) -> dict[str, Any]:
     except (ZeroDivisionError, ValueError, OverflowError):
         found = []
     return {"hollow": found, "hollow_inputs": written(code.printed, given, code.scalar)}
+
+
+def _strays(found: Sequence[Mapping[str, Any]], scalar: str) -> dict[str, Any]:
+    """The ways off the group, all of as many numbers: what is added to no number is zero."""
+    most = max((len(one["shares"]) for one in found), default=0)
+
+    def filled(one: Mapping[str, Any]) -> list[tuple[int, float]]:
+        return [*one["shares"], *[(0, 0.0)] * (most - len(one["shares"]))]
+
+    return {
+        "most_moved": most,
+        "strays": [
+            {
+                "is_reference": int(one["holder"] == "reference"),
+                "places": [place for place, _ in filled(one)],
+                "shares": [_text(share, scalar) for _, share in filled(one)],
+            }
+            for one in found
+        ],
+    }
 
 
 def _params(printed: Mapping[str, Any], values: Mapping[str, Any], scalar: str) -> Given:

@@ -93,6 +93,22 @@ BROKEN: dict[str, tuple[str, Change, int]] = {
 }  # fmt: skip
 """What of the table is changed, and how many failures there must be."""
 
+DRIFT = r"params->max_drift\*params->max_drift"
+OFF = {
+    PAPER: [f"off_{i}" for i in range(6)],
+    BY_NAME["paper_s3"]: ["off_0"],
+    BY_NAME["hovercraft"]: ["g_6", "g_r_7", "off_1", "off_5", "off_8"],
+    LIMITED: ["g_13", "g_r_12", "off_5", "off_9", "off_13"],
+    BY_NAME["two_bodies"]: ["g_14", "off_11", "off_19"],
+}
+"""Of which vehicle what of the squares that sum up to the drift, each by itself."""
+
+
+def unjudged(name: str) -> Change:
+    """The drift, without one of its squares."""
+    return first(rf"(float drift = [^;]*?\b){name}(?=\*{name}\b)", rf"\g<1>0.0F*{name}")
+
+
 HARMED: dict[str, tuple[Vehicle, Change]] = {
     "an ulp": (PAPER, first(r"nu_u_0 = power_0", "nu_u_0 = 1.0000001F*power_0")),
     "an ulp in reaching": (PAPER, first(r"nu_u_0 = power_0", "nu_u_0 = 1.0000001F*power_0", -1)),
@@ -109,6 +125,16 @@ HARMED: dict[str, tuple[Vehicle, Change]] = {
     "a drift too small": (PAPER, first(r"max_drift >= \w+", "max_drift > 0.0F")),
     "a drift that may be its least no more": (PAPER, first(r"max_drift >= ", "max_drift > ")),
     "an inertia that is not judged": (PAPER, first(r"if \(!\(pivot\[i\] > 0\.0F\)\)", "if (0)")),
+    "a pivot that may be zero": (PAPER, first(r"pivot\[i\] > 0\.0F", "pivot[i] >= 0.0F")),
+    **{
+        f"{name} of {vehicle.name}, off the group and not judged": (vehicle, unjudged(name))
+        for vehicle, names in OFF.items()
+        for name in names
+    },
+    "a drift beyond its largest": (PAPER, first(DRIFT, r"1.5F*\g<0>")),
+    "a drift not up to its largest": (PAPER, first(DRIFT, r"0.75F*\g<0>")),
+    "a largest drift that is not squared": (PAPER, first(DRIFT, "params->max_drift*1.0e-3F")),
+    "a largest drift that does not grow": (PAPER, first(DRIFT, "params->max_drift*1.0e-4F")),
     "pointers that are not judged": (PAPER, first(r"\|\| reference == NULL", "|| 0")),
     "a limit that is not judged": (SHARED, first(r"fabsf\(command->force\[2\]\) <= [^)]*", "1")),
     "a share that rounding takes beyond its limit": (

@@ -596,6 +596,24 @@ static int range_failures(const hovercraft_f32_params *params, float *number, fl
     return failures;
 }
 
+/* Ones on the diagonal are taken; not so where the last of them, and its pivot, is exactly zero. */
+static int pivot_failures(void)
+{
+    hovercraft_f32_params params = hovercraft_f32_defaults;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 6; i++) {
+        params.inertia[i] = 0.0F;
+    }
+    for (i = 0; i < 3; i++) {
+        params.inertia[diagonal[i]] = 1.0F;
+    }
+    failures += !is_taken(&params);
+    params.inertia[5] = 0.0F;
+    failures += is_taken(&params);
+    return failures;
+}
+
 /* The vehicle's own parameters, and with one number spoilt at a time. */
 static int params_failures(void)
 {
@@ -805,10 +823,66 @@ static int hollow_failures(void)
     return bare_failures(&hollow, &hollow.truth);
 }
 
+/* A step of length 1 off the group, along what one of its equations alone sees. */
+typedef struct {
+    int is_reference; /* whose numbers it moves, else those of the state */
+    int place[2];
+    float share[2];
+} stray;
+
+static const stray strays[9] = {
+    {0, {0, 4}, {-0.5F, -0.5F}},
+    {0, {1, 3}, {0.5F, 0.5F}},
+    {0, {4, 0}, {-1.0F, 0.0F}},
+    {0, {6, 0}, {1.0F, 0.0F}},
+    {0, {7, 0}, {1.0F, 0.0F}},
+    {0, {8, 0}, {-1.0F, 0.0F}},
+    {1, {6, 0}, {1.0F, 0.0F}},
+    {1, {7, 0}, {1.0F, 0.0F}},
+    {1, {8, 0}, {-1.0F, 0.0F}}
+};
+
+/* As far off as that, with the largest drift that is let through: what control says of it. */
+static int stray_failures(const stray *way, float most, float size, int is_off)
+{
+    trial one;
+    hovercraft_f32_command command;
+    float *const numbers = way->is_reference ? one.reference.g : one.state.g;
+    int i;
+    at_rest(&one);
+    one.params.max_drift = most;
+    for (i = 0; i < 2; i++) {
+        numbers[way->place[i]] += size*way->share[i];
+    }
+    if (is_off) {
+        return !is_told(&one, HOVERCRAFT_F32_NOT_ON_GROUP);
+    }
+    return hovercraft_f32_control(&one.params, &one.state, &one.reference, &command) >=
+            HOVERCRAFT_F32_NOT_ON_GROUP;
+}
+
+/* Each way, just within the largest drift and just beyond: the vehicle's own, and a larger one. */
+static int drift_failures(void)
+{
+    const float most[2] = {hovercraft_f32_defaults.max_drift, 1.0F/2.0e1F};
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 9; i++) {
+        for (j = 0; j < 2; j++) {
+            failures += stray_failures(&strays[i], most[j], most[j]*9.0F/1.0e1F, 0);
+            failures += stray_failures(&strays[i], most[j], most[j]*11.0F/1.0e1F, 1);
+        }
+    }
+    return failures;
+}
+
 int hovercraft_f32_test(void)
 {
-    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
+    int failures = params_failures() + pivot_failures() + pointer_failures() + input_failures() +
+            overflow_failures();
     int i;
+    failures += drift_failures();
     failures += hollow_failures();
     for (i = 0; i < HOVERCRAFT_F32_CASES; i++) {
         failures += hovercraft_f32_failures(&hovercraft_f32_cases[i]);

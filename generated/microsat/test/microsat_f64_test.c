@@ -909,6 +909,24 @@ static int range_failures(const microsat_f64_params *params, double *number, dou
     return failures;
 }
 
+/* Ones on the diagonal are taken; not so where the last of them, and its pivot, is exactly zero. */
+static int pivot_failures(void)
+{
+    microsat_f64_params params = microsat_f64_defaults;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 6; i++) {
+        params.inertia[i] = 0.0;
+    }
+    for (i = 0; i < 3; i++) {
+        params.inertia[diagonal[i]] = 1.0;
+    }
+    failures += !is_taken(&params);
+    params.inertia[5] = 0.0;
+    failures += is_taken(&params);
+    return failures;
+}
+
 /* The vehicle's own parameters, and with one number spoilt at a time. */
 static int params_failures(void)
 {
@@ -1140,6 +1158,52 @@ static int share_failures(void)
     return failures;
 }
 
+/* A step of length 1 off the group, along what one of its equations alone sees. */
+typedef struct {
+    int place[1];
+    double share[1];
+} stray;
+
+static const stray strays[1] = {
+    {{0}, {-0.5}}
+};
+
+/* As far off as that, with the largest drift that is let through: what control says of it. */
+static int stray_failures(const stray *way, double most, double size, int is_off)
+{
+    trial one;
+    microsat_f64_side side = {0.0};
+    microsat_f64_command command;
+    double *const numbers = one.state.g;
+    int i;
+    at_rest(&one);
+    one.params.max_drift = most;
+    for (i = 0; i < 1; i++) {
+        numbers[way->place[i]] += size*way->share[i];
+    }
+    if (is_off) {
+        return !is_told(&one, MICROSAT_F64_NOT_ON_GROUP);
+    }
+    return microsat_f64_control(&one.params, &one.state, &one.reference, &side, &command) >=
+            MICROSAT_F64_NOT_ON_GROUP;
+}
+
+/* Each way, just within the largest drift and just beyond: the vehicle's own, and a larger one. */
+static int drift_failures(void)
+{
+    const double most[2] = {microsat_f64_defaults.max_drift, 1.0/2.0e1};
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 1; i++) {
+        for (j = 0; j < 2; j++) {
+            failures += stray_failures(&strays[i], most[j], most[j]*9.0/1.0e1, 0);
+            failures += stray_failures(&strays[i], most[j], most[j]*11.0/1.0e1, 1);
+        }
+    }
+    return failures;
+}
+
 /* Errors turned about one axis: the side before the call, the scalar part and the length of the
    vector part, the side after it; whether the side is the one that was left, and whether it is
            near. */
@@ -1246,9 +1310,10 @@ static int side_failures(void)
 
 int microsat_f64_test(void)
 {
-    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures() +
-            side_failures();
+    int failures = params_failures() + pivot_failures() + pointer_failures() + input_failures() +
+            overflow_failures() + side_failures();
     int i;
+    failures += drift_failures();
     failures += hollow_failures();
     failures += limit_failures() + share_failures();
     for (i = 0; i < MICROSAT_F64_CASES; i++) {

@@ -928,6 +928,24 @@ static int range_failures(const two_bodies_f64_params *params, double *number, d
     return failures;
 }
 
+/* Ones on the diagonal are taken; not so where the last of them, and its pivot, is exactly zero. */
+static int pivot_failures(void)
+{
+    two_bodies_f64_params params = two_bodies_f64_defaults;
+    int failures = 0;
+    int i;
+    for (i = 0; i < 45; i++) {
+        params.inertia[i] = 0.0;
+    }
+    for (i = 0; i < 9; i++) {
+        params.inertia[diagonal[i]] = 1.0;
+    }
+    failures += !is_taken(&params);
+    params.inertia[44] = 0.0;
+    failures += is_taken(&params);
+    return failures;
+}
+
 /* The vehicle's own parameters, and with one number spoilt at a time. */
 static int params_failures(void)
 {
@@ -1244,10 +1262,77 @@ static int hollow_failures(void)
     return bare_failures(&hollow, &hollow.truth);
 }
 
+/* A step of length 1 off the group, along what one of its equations alone sees. */
+typedef struct {
+    int is_reference; /* whose numbers it moves, else those of the state */
+    int place[2];
+    double share[2];
+} stray;
+
+static const stray strays[20] = {
+    {0, {0, 10}, {-0.5, -0.5}},
+    {0, {1, 4}, {0.5, 0.5}},
+    {0, {5, 10}, {-0.5, -0.5}},
+    {0, {2, 8}, {0.5, 0.5}},
+    {0, {6, 9}, {0.5, 0.5}},
+    {0, {10, 0}, {-1.0, 0.0}},
+    {0, {16, 24}, {-0.5, -0.5}},
+    {0, {17, 19}, {0.5, 0.5}},
+    {0, {20, 24}, {-0.5, -0.5}},
+    {0, {18, 22}, {0.5, 0.5}},
+    {0, {21, 23}, {0.5, 0.5}},
+    {0, {24, 0}, {-1.0, 0.0}},
+    {0, {12, 0}, {1.0, 0.0}},
+    {0, {13, 0}, {1.0, 0.0}},
+    {0, {14, 0}, {1.0, 0.0}},
+    {0, {15, 0}, {-1.0, 0.0}},
+    {1, {12, 0}, {1.0, 0.0}},
+    {1, {13, 0}, {1.0, 0.0}},
+    {1, {14, 0}, {1.0, 0.0}},
+    {1, {15, 0}, {-1.0, 0.0}}
+};
+
+/* As far off as that, with the largest drift that is let through: what control says of it. */
+static int stray_failures(const stray *way, double most, double size, int is_off)
+{
+    trial one;
+    two_bodies_f64_command command;
+    double *const numbers = way->is_reference ? one.reference.g : one.state.g;
+    int i;
+    at_rest(&one);
+    one.params.max_drift = most;
+    for (i = 0; i < 2; i++) {
+        numbers[way->place[i]] += size*way->share[i];
+    }
+    if (is_off) {
+        return !is_told(&one, TWO_BODIES_F64_NOT_ON_GROUP);
+    }
+    return two_bodies_f64_control(&one.params, &one.state, &one.reference, &command) >=
+            TWO_BODIES_F64_NOT_ON_GROUP;
+}
+
+/* Each way, just within the largest drift and just beyond: the vehicle's own, and a larger one. */
+static int drift_failures(void)
+{
+    const double most[2] = {two_bodies_f64_defaults.max_drift, 1.0/2.0e1};
+    int failures = 0;
+    int i;
+    int j;
+    for (i = 0; i < 20; i++) {
+        for (j = 0; j < 2; j++) {
+            failures += stray_failures(&strays[i], most[j], most[j]*9.0/1.0e1, 0);
+            failures += stray_failures(&strays[i], most[j], most[j]*11.0/1.0e1, 1);
+        }
+    }
+    return failures;
+}
+
 int two_bodies_f64_test(void)
 {
-    int failures = params_failures() + pointer_failures() + input_failures() + overflow_failures();
+    int failures = params_failures() + pivot_failures() + pointer_failures() + input_failures() +
+            overflow_failures();
     int i;
+    failures += drift_failures();
     failures += hollow_failures();
     for (i = 0; i < TWO_BODIES_F64_CASES; i++) {
         failures += two_bodies_f64_failures(&two_bodies_f64_cases[i]);
