@@ -33,7 +33,7 @@ UNSURE = 1e-2
 """Relative distance from a threshold of the clearance within which rounding may decide."""
 
 VALUE = {name: value for name, value, _ in STATUSES}
-OFF = mp.mpf("1.01")
+OFF = mp.mpf("1.25")
 """What an element is multiplied with to be off its group, far beyond every margin."""
 
 

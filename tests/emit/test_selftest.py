@@ -6,6 +6,7 @@ import re
 import subprocess
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ import pytest
 from derive import pipeline
 from derive.native.compile import FLAGS, WARNINGS_C, Compiler
 from derive.vehicle import Vehicle
+from derive.vehicle.limits import LEAST_DRIFT, MOST_DRIFT, Limits
 from tests.emit import subjects
 from tests.emit.package import configure, make, need, project, run
 from tests.emit.subjects import COMPILERS, FILES, GUARDED, RANDOM, STEERED
@@ -208,6 +210,13 @@ def test_a_truth_within_limits_is_judged_on_their_scale(
     assert failures(root, vehicle) == 0
     assert changed(root / f"test/{vehicle.name}_f32_test.c", moved)
     assert failures(root, vehicle) == 1
+
+
+@pytest.mark.parametrize("drift", [LEAST_DRIFT["f32"], MOST_DRIFT])
+@pytest.mark.parametrize("name", ["paper_so3", "paper_s3", "hovercraft"])
+def test_it_holds_whatever_drift_is_allowed(tmp_path: Path, name: str, drift: Fraction) -> None:
+    vehicle = replace(BY_NAME[name], limits=Limits(drift=drift), targets=("c99",), scalars=("f32",))
+    assert failures(subjects.place(vehicle, tmp_path), vehicle) == 0
 
 
 @pytest.mark.parametrize("name", HARMED)
