@@ -68,5 +68,5 @@ def test_check_takes_the_vehicles_of_the_current_folder(body: Path, home: Path) 
     assert "vehicles/*.toml" in refused(body.parent, "check", home=home)
     result = derive(ROOT, "check", home=home)
     assert result.returncode == 0
-    assert re.fullmatch(r"(note: no EVIDENCE\.md yet in .*\n)?", result.stderr)
+    assert re.fullmatch(r"(note: not written yet: .*\n)?", result.stderr)
     assert result.stdout.splitlines() == [f"same generated/{Path(file).stem}" for file in FILES]

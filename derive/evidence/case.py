@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from derive.emit.target import SCALARS
 from derive.evidence.interface import Interface, Member
 from derive.verify import sample
+from derive.verify.derived import has_pole
 from derive.verify.plant import Plant
 
 Array = NDArray[Any]
@@ -25,12 +27,21 @@ def good(plant: Plant, interface: Interface, count: int = COUNT) -> list[str]:
 
     Every rung of the ladder of angles, angles at random between; the same at every run.
     """
-    rungs = np.array(sample.angles(plant))[-count // 2 :]
+    scalar = interface.emitted.scalar
+    rungs = _angles(plant, scalar)[-count // 2 :]
     random = np.random.default_rng(5)
     angle = np.concatenate([rungs, random.uniform(0, rungs[-1], count - len(rungs))])
-    scalar = interface.emitted.scalar
     made = sample.states(plant, angle, scalar, random, is_moving=True, lengths=LENGTHS)
     return [_initialiser(interface, made, row) for row in range(count)]
+
+
+def _angles(plant: Plant, scalar: str) -> Array:
+    """The ladder, rad, without what is too near a pole of the law: control refuses that."""
+    angles = np.array(sample.angles(plant))
+    if not has_pole(plant):
+        return angles
+    pole = np.pi * np.ceil(angles[-1] / np.pi)
+    return np.asarray(angles[(pole - angles) / 2 > 2 * float(SCALARS[scalar].refused)])
 
 
 def _initialiser(interface: Interface, made: sample.States, row: int) -> str:

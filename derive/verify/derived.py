@@ -20,6 +20,11 @@ def lie_group(vehicle: Plant) -> Group:
     return of_basis(vehicle.group, vehicle.own, ("1/s",) * len(vehicle.own))
 
 
+def has_pole(vehicle: Plant) -> bool:
+    """Whether its law has a pole, near which `control` refuses good states too."""
+    return laws_of(lie_group(vehicle))[vehicle.law].is_pole and vehicle.hysteresis is None
+
+
 def parts_of(vehicle: Plant) -> Routines:
     """Every derivation that the vehicle is emitted with."""
     group, n = lie_group(vehicle), len(vehicle.inertia)

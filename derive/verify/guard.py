@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.control.kinematic import laws_of
 from derive.emit.status import STATUSES
 from derive.emit.target import SCALARS
 from derive.verify.backend import Backend
 from derive.verify.batch import at_rest, ladder
 from derive.verify.check import Check
-from derive.verify.derived import lie_group
+from derive.verify.derived import has_pole
 from derive.verify.limits import EPS, LIMITS
 from derive.verify.plant import Plant
 from derive.verify.sample import States
@@ -91,10 +90,9 @@ def _within(vehicle: Plant, scalar: str, bare: Array, found: Array) -> tuple[Arr
 
 def _status(subject: Subject, clearance: Array, scalar: str) -> tuple[Array, Array]:
     """Status by clearance, and where rounding cannot move it."""
-    kind, law = SCALARS[scalar], laws_of(lie_group(subject.vehicle))[subject.vehicle.law]
-    is_pole = law.is_pole and subject.vehicle.hysteresis is None
+    kind = SCALARS[scalar]
     near = float(subject.vehicle.hysteresis or kind.near_cut)
-    refused = float(kind.refused) if is_pole else 0.0
+    refused = float(kind.refused) if has_pole(subject.vehicle) else 0.0
     status = np.where(clearance < near, VALUE["NEAR_CUT_LOCUS"], VALUE["OK"])
     status = np.where(clearance < refused, VALUE["OUT_OF_RANGE"], status)
     off = [np.abs(clearance - at) > UNSURE * at for at in (near, refused) if at > 0]

@@ -17,7 +17,7 @@ from derive.evidence.tool import ToolFailed
 from tests.evidence import attacked
 
 BITS = {"f32": 32, "f64": 64}
-NUMBERS = {"paper_so3": 27, "underwater": 56, "two_bodies": 77}
+NUMBERS = {"paper_so3": 27, "underwater": 56, "two_bodies": 77, "paper_s3": 17}
 """Of state and reference together."""
 
 
@@ -27,7 +27,8 @@ def flips(emitted: Emitted, folder: Path) -> flip.Flips:
 
 
 @pytest.mark.parametrize(
-    ("name", "scalar"), [("paper_so3", "f32"), ("underwater", "f64"), ("two_bodies", "f32")]
+    ("name", "scalar"),
+    [("paper_so3", "f32"), ("underwater", "f64"), ("two_bodies", "f32"), ("paper_s3", "f32")],
 )
 def test_no_flip_breaks_a_promise(tmp_path: Path, name: str, scalar: str) -> None:
     attacked.need(flip.GCC)

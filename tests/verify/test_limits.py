@@ -48,6 +48,7 @@ PROMISED = {
     "eva, not reached": (0, "lines"),
     "eva, overflows": (0, "alarms"),
     "eva, defects": (0, "missed"),
+    "wp, not proved": (0, "goals"),
     "runs": (0, "runs"),
     "loop": (1e-8, "relative"),
     "images": (0, "images"),
