@@ -30,6 +30,7 @@ PROMISES = (
     Promise("any input bits: no undefined behaviour, proved", "any bits: alarms"),
     Promise("any input bits: the command finite, the force within its limits, proved",
             "any bits: not proved"),
+    Promise("a good force within its limits, whatever these are, proved", "any limits: not proved"),
     Promise("any input bits: every statement can be reached", "any bits: not reached"),
     Promise("inputs in range: no step overflows or is NaN, proved", "in range: alarms"),
     Promise("seeded defects that the proof misses", "seeded defects: missed"),
