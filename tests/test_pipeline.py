@@ -55,16 +55,12 @@ def committed() -> dict[str, str]:
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
-def test_what_was_kept_gives_the_bytes_of_what_is_derived(file: Path, tmp_path: Path) -> None:
-    derived = pipeline.texts(load(file), tmp_path)
-    assert list(tmp_path.iterdir())
-    assert pipeline.texts(load(file), tmp_path) == derived
-
-
-@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
-def test_generated_is_what_the_vehicle_files_give(file: Path) -> None:
-    (_, drifts), = pipeline.check([load(file)], GENERATED)  # fmt: skip
-    assert drifts == []
+def test_generated_is_what_the_vehicle_files_give(file: Path, tmp_path: Path) -> None:
+    """As it is derived, and as it is kept from then on."""
+    for _ in range(2):
+        (_, drifts), = pipeline.check([load(file)], GENERATED, tmp_path)  # fmt: skip
+        assert drifts == []
+        assert list(tmp_path.iterdir())
 
 
 def test_generated_holds_nothing_else() -> None:
@@ -74,7 +70,7 @@ def test_generated_holds_nothing_else() -> None:
     assert [file.stem for file in FILES] == [load(file).name for file in FILES]
 
 
-@pytest.mark.parametrize("seed", ["0", "1", "random"])
+@pytest.mark.parametrize("seed", ["0", "random"])
 def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path, seed: str) -> None:
     ended(start(tmp_path / "out", tmp_path, seed, "--no-cache"))
     assert folder.read(tmp_path / "out") == committed()
