@@ -58,10 +58,7 @@ def simulate(
 
     (vehicle,) = loaded((file,))
     given = {key: value for key, value in written.items() if value is not None}
-    if scenario is not None:
-        _check_scenario(scenario, [*given, *said("seed", "box", "speed", "settle")])
-    elif seed is None:
-        _check_start(said("box", "speed"))
+    _check_together(scenario, seed, [*given])
     home = out or Path("simulated") / vehicle.name
     place.probe_folder(home)
     show = progress()
@@ -83,6 +80,14 @@ def simulate(
     if not any(path.suffix == ".png" for path in paths):
         click.echo("no pictures: they need pip install 'gsmc-derive[plot]'", err=True)
     return 0 if is_good else FINDING
+
+
+def _check_together(scenario: str | None, seed: int | None, given: list[str]) -> None:
+    """Raise InputError for options that the others leave no room for."""
+    if scenario is not None:
+        _check_scenario(scenario, [*given, *said("seed", "box", "speed", "settle")])
+    elif seed is None:
+        _check_start(said("box", "speed"))
 
 
 def _check_scenario(scenario: str, given: list[str]) -> None:

@@ -21,7 +21,7 @@ def conditions(data: Data) -> dict[str, Any]:
     bound_of: name of the largest value of each gain
     """
     size = range(data["dim"])
-    within = [_least(data, f"command->force[{i}]", f"params->force_limit[{i}]") for i in size]
+    within = [_at_most(data, f"command->force[{i}]", f"params->force_limit[{i}]") for i in size]
     finite = [f"isfinite(command->force[{i}])" for i in size]
     limits = [f"params->force_limit[{i}] >= {data['number'](0)}" for i in size]
     return {
@@ -53,7 +53,7 @@ def _error(data: Data) -> Iterator[str]:
         for entry in one["entries"]
     ]
     for name, index in sorted(dict.fromkeys(map(tuple, entries)), key=lambda entry: entry[1]):
-        yield _least(data, name, _bound(data, index))
+        yield _at_most(data, name, _bound(data, index))
 
 
 def _read(data: Data) -> Iterator[str]:
@@ -65,7 +65,7 @@ def _read(data: Data) -> Iterator[str]:
                 continue
             is_input = data["error"] or not is_element
             bound = f"{data['macro']}_MAX_INPUT" if is_input else _bound(data, i)
-            yield _least(data, f"{one['holder']}->{one['member']}[{i}]", bound)
+            yield _at_most(data, f"{one['holder']}->{one['member']}[{i}]", bound)
 
 
 def _far(data: Data) -> Iterator[str]:
@@ -77,7 +77,7 @@ def _far(data: Data) -> Iterator[str]:
         for i in range(one["size"]):
             name = f"g_e_{i}" if error else f"state->g[{i}]"
             if not data["is_bounded"][i] and (not error or one["entries"][i] == name):
-                yield _least(data, name, f"{data['macro']}_MAX_REACH")
+                yield _at_most(data, name, f"{data['macro']}_MAX_REACH")
 
 
 def _held(data: Data, *holders: str) -> list[Data]:
@@ -89,5 +89,5 @@ def _bound(data: Data, index: int) -> str:
     return f"{data['macro']}_{name}"
 
 
-def _least(data: Data, name: str, limit: str) -> str:
+def _at_most(data: Data, name: str, limit: str) -> str:
     return f"fabs{data['scalar'].suffix}({name}) <= {limit}"

@@ -30,7 +30,7 @@ def rows(data: Data) -> dict[str, Any]:
     return {
         "reads": {
             **{name: _reads(place, data[name]) for name in ("error", "drift") if data[name]},
-            "apart": [place[name] for name in ("g_r",) if data["error"]],
+            "apart": [place["g_r"]] if data["error"] else [],
             "law": _reads(place, data["core"]),
             "sided_law": _reads(sided, data["core"]),
         },

@@ -17,8 +17,8 @@ PAGE = "EVIDENCE.md"
 _MEASURED = re.compile(r"(?:c/(?:include|src)|numpy)/[^/]+\.(?:c|h|py)")
 _ROW = re.compile(r"^\| `([^`]+)` +\| `([0-9a-f]{64})` +\|$", re.MULTILINE)
 
-
 SEAL = "SHA-256 of all that is above this line: "
+"""What the last line of a page begins with."""
 
 
 @dataclass(frozen=True)

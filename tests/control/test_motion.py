@@ -107,10 +107,12 @@ def test_a_shear_and_its_opposite_turn_and_alike_stretch() -> None:
 
 @pytest.mark.parametrize("name", [*GROUPS, "SL2", "Heisenberg", "SE3 x SO3"])
 def test_two_thousand_steps_stay_on_the_group(name: str) -> None:
-    if name == "SL2":
-        off: Any = lambda g: np.abs(np.linalg.det(g.reshape(-1, 2, 2)) - 1)  # noqa: E731
-    else:
-        off = lambda g: algebra(name).off(algebra(name).embed(g))  # noqa: E731
+
+    def off(g: Any) -> Any:
+        if name == "SL2":
+            return np.abs(np.linalg.det(g.reshape(-1, 2, 2)) - 1)
+        return algebra(name).off(algebra(name).embed(g))
+
     g = np.array(MOVED[name].identity, dtype=np.float64)[:, None] + np.zeros(COLUMNS)
     # Of both signs, so that what is not compact does not grow without bound.
     steps = [sign * displacements(name, 0.3) for sign in (1, 1, -1, -1)]
