@@ -32,7 +32,7 @@ def key(**parts: object) -> str:
     """Hash of the parts, the source that derives, and the versions of what it derives with."""
     digest = sha256(json.dumps([__version__, parts], sort_keys=True, default=str).encode())
     for library in LIBRARIES:
-        digest.update(f"{library} {_release(library)}\n".encode())
+        digest.update(f"{library} {release(library)}\n".encode())
     root = Path(__file__).parent
     for source in sorted(path for pattern in DERIVING for path in root.glob(pattern)):
         text = source.read_bytes()
@@ -40,7 +40,7 @@ def key(**parts: object) -> str:
     return digest.hexdigest()
 
 
-def _release(library: str) -> str:
+def release(library: str) -> str:
     """Its dist-info folder, which names the version; cheaper than importlib.metadata."""
     spec = find_spec(library)
     if spec is None or spec.origin is None:

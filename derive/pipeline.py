@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from derive import __version__, cache, folder, place, selftest
+from derive.compiled import Compiled
 from derive.control.table import CONTROLLERS
 from derive.emit.around import around
 from derive.emit.drift import Drift, compare
 from derive.emit.literal import nearest
-from derive.emit.render import manifest, render, targets, trace
+from derive.emit.render import environment, manifest, render, targets, trace
 from derive.vehicle import Facts, InputError, Vehicle, check_facts, resolve
 from derive.vehicle.check import pivots
 from derive.vehicle.group import group_of
@@ -124,12 +125,12 @@ def printed(vehicle: Vehicle, cached: Path | None) -> Printed:
 def texts(vehicle: Vehicle, cached: Path | None = None) -> dict[str, str]:
     """Every file of the vehicle's folder, by path below it."""
     _refuse_lost(vehicle)
-    return _rendered(vehicle, printed(vehicle, cached))
+    return _rendered(vehicle, printed(vehicle, cached), cached)
 
 
-def _rendered(vehicle: Vehicle, kept: Printed) -> dict[str, str]:
-    data = kept["targets"]
-    values = _values(vehicle)
+def _rendered(vehicle: Vehicle, kept: Printed, cached: Path | None) -> dict[str, str]:
+    environment().bytecode_cache = Compiled(cached) if cached else None
+    data, values = kept["targets"], _values(vehicle)
     files: dict[str, str] = {}
     used: Printed = {}
     tests: Printed = {}
@@ -174,7 +175,7 @@ def emit(vehicles: Sequence[Vehicle], out: Path, cached: Path | None = None) -> 
         place.refuse_strangers(out / vehicle.name)
         _refuse_lost(vehicle)
     kept = {vehicle.name: printed(vehicle, cached) for vehicle in vehicles}
-    folders = {vehicle.name: _rendered(vehicle, kept[vehicle.name]) for vehicle in vehicles}
+    folders = {vehicle.name: _rendered(vehicle, kept[vehicle.name], cached) for vehicle in vehicles}
     with place.told(out, "a folder that can be written to"):
         changed = folder.replace(out, folders)
     return [

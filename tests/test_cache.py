@@ -98,9 +98,9 @@ def test_the_key_depends_on_every_part(change: dict[str, object]) -> None:
 
 @pytest.mark.parametrize("library", cache.LIBRARIES)
 def test_the_key_depends_on_the_libraries(library: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    before, release = cache.key(**PARTS), cache._release
+    before, release = cache.key(**PARTS), cache.release
     assert metadata.version(library) in release(library)
-    monkeypatch.setattr(cache, "_release", lambda name: release(name) + ".1" * (name == library))
+    monkeypatch.setattr(cache, "release", lambda name: release(name) + ".1" * (name == library))
     assert cache.key(**PARTS) != before
 
 

@@ -18,6 +18,7 @@ LAYER = {
     "derive.cache": "derive.pipeline",
     "derive.folder": "derive.pipeline",
     "derive.bundle": "derive.pipeline",
+    "derive.compiled": "derive.pipeline",
     "derive.explanation": "derive.pipeline",
     "derive.campaign": "derive.pipeline",
     "derive.course": "derive.pipeline",
@@ -110,6 +111,7 @@ THIRD_PARTY = {
     "derive.simulate.style": ("matplotlib",),
     "derive.simulate.cluster": ("distributed",),
     "derive.simulate.table": ("numpy", "pyarrow"),
+    "derive.compiled": ("jinja2",),
     "derive.cli": ("click",),
 }
 """What of others a module or layer may import; the longest name that fits decides."""
